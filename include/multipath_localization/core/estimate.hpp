@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+
+#include "multipath_localization/core/pose.hpp"
+
+namespace multipath_localization {
+
+/// Why a measurement was used or not. Published as is in FixReport.
+enum class Reason {
+  kAccepted,
+  kUnused,             ///< a kind of measurement this estimator has no model for
+  kNotFinite,          ///< NaN or infinity in a field that counts
+  kInvalidCovariance,  ///< declared covariance negative or not symmetric positive semi-definite
+  kInvalidPosition,    ///< latitude or longitude out of range, or further from the datum than the map reaches
+  kNoFix,              ///< receiver status below the one asked for
+  kFrozen,             ///< bit-identical to the fix before
+  kGated,              ///< innovation beyond the gate
+  kZeroStamp,          ///< stamp of zero
+  kFutureStamp,        ///< stamp ahead of the odometry by more than the tolerance
+  kOldStamp,           ///< stamp older than the odometry history reaches
+  kNotStarted,         ///< no odometry yet
+  kInvalidFrame,       ///< frame unknown to tf
+};
+
+/// "accepted", "not finite", ...: one stable text per reason.
+std::string_view to_string(Reason reason);
+
+/// Outcome of one update.
+struct Innovation {
+  Reason reason = Reason::kUnused;
+  Eigen::Vector2d innovation = Eigen::Vector2d::Zero();    ///< measured - predicted antenna, map frame [m]
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();    ///< predicted covariance S of it [m^2]
+  double nis = 0.0;                                        ///< normalised innovation squared, 2 dof
+
+  [[nodiscard]] bool accepted() const { return reason == Reason::kAccepted; }
+};
+
+inline Innovation refused(Reason reason) {
+  Innovation innovation;
+  innovation.reason = reason;
+  return innovation;
+}
+
+/// What an estimator knows. Everything in the map frame.
+struct PoseEstimate {
+  bool valid = false;    ///< false until something was measured; nothing below counts then
+  bool aligned = false;  ///< heading and position are settled on one hypothesis and confirmed
+  double stamp = 0.0;    ///< [s]
+  Pose2 pose;            ///< base in map: mean of the dominant cluster, never a mean between clusters
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of x, y, yaw within the cluster [m, rad]
+  double dominance = 1.0;  ///< probability mass of the dominant cluster
+  Eigen::Matrix2d position_covariance_overall = Eigen::Matrix2d::Identity();  ///< all clusters, about `pose` [m^2]
+  double shadow_probability = 0.0;  ///< of the mode "fixes are biased"
+  double canyon_probability = 0.0;  ///< of the receiver class "deep canyon"
+  Eigen::Vector2d bias = Eigen::Vector2d::Zero();             ///< of the fix [m]
+  Eigen::Matrix2d bias_covariance = Eigen::Matrix2d::Zero();  ///< [m^2]
+  double effective_sample_size = 1.0;
+};
+
+/// Which kind of hypothesis a particle is, for colouring.
+enum class Mode { kOpen, kShadow, kCanyon };
+
+/// One weighted hypothesis of the base's pose in map.
+struct Hypothesis {
+  Pose2 pose;
+  double weight = 1.0;  ///< all weights of a cloud sum to 1
+  Mode mode = Mode::kOpen;
+};
+
+/// Where to start from: a pose and its covariance of x, y, yaw [m, rad].
+struct PosePrior {
+  double stamp = 0.0;
+  Pose2 pose;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "multipath_localization/core/estimate.hpp"
+#include "multipath_localization/core/measurements.hpp"
+
+namespace multipath_localization {
+
+/// The seam: one published method. Deterministic: the same seed and the same calls give the same bytes.
+///
+/// Time runs by `predict` alone. A measurement is taken to have been made with the base where it is now; what
+/// was measured earlier arrives with its lever arm carried back over the odometry (see Localizer).
+/// Nothing throws on bad input: it is refused with a reason and changes nothing.
+class Estimator {
+ public:
+  Estimator() = default;
+  Estimator(const Estimator&) = delete;
+  Estimator& operator=(const Estimator&) = delete;
+  virtual ~Estimator() = default;
+
+  /// Forgets everything and starts at the prior, or, without one, with position and heading unknown.
+  virtual void start(const std::optional<PosePrior>& prior) = 0;
+
+  /// Moves on by one odometry increment.
+  virtual void predict(const OdometryIncrement& u) = 0;
+
+  /// Weighs one measurement; kinds without a model are refused as `unused`.
+  virtual Innovation update(const Measurement& z) = 0;
+
+  /// The pose at the end of the last increment.
+  [[nodiscard]] virtual PoseEstimate estimate() const = 0;
+
+  /// What the estimate was made of; a single hypothesis for a Kalman filter, none before the first measurement.
+  [[nodiscard]] virtual std::vector<Hypothesis> hypotheses() const = 0;
+};
+
+}  // namespace multipath_localization

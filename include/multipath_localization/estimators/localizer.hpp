@@ -1,0 +1,72 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "multipath_localization/core/localization_state.hpp"
+#include "multipath_localization/core/odometry_history.hpp"
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/estimators/estimator.hpp"
+
+namespace multipath_localization {
+
+struct LocalizerParameters {
+  double history_length = 5.0;
+  double future_tolerance = 0.5;
+  double dead_reckoning_after = 3.0;
+  double lost_sigma = 60.0;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// What became of one measurement.
+struct MeasurementReport {
+  double stamp = 0.0;
+  Measurement measurement;
+  Innovation innovation;
+};
+
+/// Puts an estimator on a stream: measurements count at their own stamps, whatever the order of arrival.
+///
+/// A measurement ahead of the odometry waits until the odometry has passed it, and the increment is split at
+/// its stamp. A late one is weighed now, with its lever arm carried back over the odometry history.
+class Localizer {
+ public:
+  Localizer(std::unique_ptr<Estimator> estimator, const LocalizerParameters& parameters);
+
+  /// Forgets the past and starts the estimator afresh.
+  void start(const std::optional<PosePrior>& prior);
+
+  /// Takes an increment (finite, duration > 0, stamps increasing; the caller checks) and whatever measurements
+  /// it was waited for.
+  void add(const OdometryIncrement& increment);
+
+  /// Takes a measurement.
+  void add(const Measurement& measurement);
+
+  /// What became of the measurements since the last call, in order of their use.
+  std::vector<MeasurementReport> take_reports();
+
+  [[nodiscard]] PoseEstimate estimate() const { return estimator_->estimate(); }
+  [[nodiscard]] std::vector<Hypothesis> hypotheses() const { return estimator_->hypotheses(); }
+  [[nodiscard]] LocalizationState state() const;
+  /// One sentence that says why the state is what it is.
+  [[nodiscard]] std::string state_reason() const;
+
+ private:
+  void apply(const Measurement& measurement);
+
+  std::unique_ptr<Estimator> estimator_;
+  LocalizerParameters parameters_;
+  OdometryHistory history_;
+  std::deque<Measurement> waiting_;  ///< ahead of the odometry, by stamp
+  std::vector<MeasurementReport> reports_;
+  double now_ = 0.0;
+  bool has_odometry_ = false;
+  double last_accepted_ = 0.0;
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,113 @@
+#include "multipath_localization/estimators/localizer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace multipath_localization {
+
+namespace {
+
+OdometryIncrement lasting(OdometryIncrement increment, double start, double end) {
+  increment.stamp = end;
+  increment.duration = end - start;
+  return increment;
+}
+
+}  // namespace
+
+void LocalizerParameters::fields(ParameterVisitor& field) {
+  field("history_length", history_length, {0.1, 60.0}, "s", "odometry kept, so that fixes this late still count");
+  field("future_tolerance", future_tolerance, {0.0, 10.0}, "s",
+        "a fix stamped further ahead of the odometry than this is refused");
+  field("dead_reckoning_after", dead_reckoning_after, {0.1, 600.0}, "s",
+        "without an accepted fix for this long the state is DEAD_RECKONING");
+  field("lost_sigma", lost_sigma, {0.1, 1e4}, "m",
+        "with a larger standard deviation of position over all hypotheses the state is LOST");
+}
+
+Localizer::Localizer(std::unique_ptr<Estimator> estimator, const LocalizerParameters& parameters)
+    : estimator_(std::move(estimator)), parameters_(parameters), history_(parameters.history_length) {}
+
+void Localizer::start(const std::optional<PosePrior>& prior) {
+  estimator_->start(prior);
+  history_.clear();
+  waiting_.clear();
+  has_odometry_ = false;
+}
+
+void Localizer::add(const OdometryIncrement& increment) {
+  double from = increment.stamp - increment.duration;
+  const auto advance = [&](double to) {
+    if (to <= from) return;
+    const OdometryIncrement part = lasting(increment, from, to);
+    history_.add(part);
+    estimator_->predict(part);
+    now_ = from = to;
+  };
+  if (!has_odometry_) last_accepted_ = now_ = from;
+  has_odometry_ = true;
+  while (!waiting_.empty() && stamp_of(waiting_.front()) <= increment.stamp) {
+    const Measurement measurement = waiting_.front();
+    waiting_.pop_front();
+    advance(stamp_of(measurement));
+    apply(measurement);
+  }
+  advance(increment.stamp);
+}
+
+void Localizer::add(const Measurement& measurement) {
+  const double stamp = stamp_of(measurement);
+  if (!has_odometry_) {
+    reports_.push_back({stamp, measurement, refused(Reason::kNotStarted)});
+  } else if (stamp > now_ + parameters_.future_tolerance) {
+    reports_.push_back({stamp, measurement, refused(Reason::kFutureStamp)});
+  } else if (stamp > now_) {
+    const auto place = std::upper_bound(waiting_.begin(), waiting_.end(), stamp,
+                                        [](double t, const Measurement& m) { return t < stamp_of(m); });
+    waiting_.insert(place, measurement);
+  } else {
+    apply(measurement);
+  }
+}
+
+void Localizer::apply(const Measurement& measurement) {
+  const double stamp = stamp_of(measurement);
+  const std::optional<Pose2> base_then =
+      stamp == now_ ? std::optional<Pose2>(Pose2{}) : history_.base_then_in_base_now(stamp);
+  if (!base_then) {
+    reports_.push_back({stamp, measurement, refused(Reason::kOldStamp)});
+    return;
+  }
+  Measurement seen_from_now = measurement;
+  std::visit([&](auto& m) { m.antenna_in_base = *base_then * m.antenna_in_base; }, seen_from_now);
+  const Innovation innovation = estimator_->update(seen_from_now);
+  if (innovation.accepted()) last_accepted_ = std::max(last_accepted_, stamp);
+  reports_.push_back({stamp, measurement, innovation});
+}
+
+std::vector<MeasurementReport> Localizer::take_reports() { return std::exchange(reports_, {}); }
+
+LocalizationState Localizer::state() const {
+  const PoseEstimate estimate = estimator_->estimate();
+  if (!has_odometry_ || !estimate.valid) return LocalizationState::kNotReady;
+  if (!estimate.aligned) return LocalizationState::kAligning;
+  const double variance = estimate.position_covariance_overall.trace();
+  if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return LocalizationState::kLost;
+  if (now_ - last_accepted_ > parameters_.dead_reckoning_after) return LocalizationState::kDeadReckoning;
+  const bool biased = estimate.shadow_probability > 0.5 || estimate.canyon_probability > 0.5;
+  return biased ? LocalizationState::kMultipath : LocalizationState::kGood;
+}
+
+std::string Localizer::state_reason() const {
+  switch (state()) {
+    case LocalizationState::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
+    case LocalizationState::kAligning: return "heading or position not yet confirmed, drive on under open sky";
+    case LocalizationState::kGood: return "fixes agree with odometry";
+    case LocalizationState::kMultipath: return "fixes are biased, the bias is being tracked";
+    case LocalizationState::kDeadReckoning: return "no usable fix, running on odometry";
+    case LocalizationState::kLost: return "position too uncertain to drive by";
+  }
+  return "";
+}
+
+}  // namespace multipath_localization

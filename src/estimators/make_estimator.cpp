@@ -1,0 +1,59 @@
+#include "multipath_localization/estimators/make_estimator.hpp"
+
+#include "multipath_localization/core/parameters.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+struct Entry {
+  std::string name;
+  std::unique_ptr<Estimator> (*make)(const YAML::Node&, std::uint64_t);
+  std::string (*describe)();
+};
+
+/// The entry of an estimator built as `Type(Parameters, seed)`.
+template <class Type, class Parameters>
+Entry entry(const char* name) {
+  return {name,
+          [](const YAML::Node& source, std::uint64_t seed) -> std::unique_ptr<Estimator> {
+            Parameters parameters;
+            load(source, parameters);
+            return std::make_unique<Type>(parameters, seed);
+          },
+          [] { return describe(Parameters{}); }};
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = {};
+  return all;
+}
+
+const Entry& find(const std::string& name) {
+  for (const Entry& candidate : entries()) {
+    if (candidate.name == name) return candidate;
+  }
+  std::string known;
+  for (const Entry& candidate : entries()) known += " " + candidate.name;
+  throw ParameterError("unknown estimator " + name + "; known are" + known);
+}
+
+}  // namespace
+
+const std::vector<std::string>& estimator_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Entry& candidate : entries()) all.push_back(candidate.name);
+    return all;
+  }();
+  return names;
+}
+
+std::unique_ptr<Estimator> make_estimator(const std::string& name, const YAML::Node& parameters,
+                                          std::uint64_t seed) {
+  return find(name).make(parameters, seed);
+}
+
+std::string describe_estimator(const std::string& name) { return find(name).describe(); }
+
+}  // namespace multipath_localization
