@@ -57,10 +57,21 @@ class WaypointFollower {
   [[nodiscard]] const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
 
  private:
+  /// How fast to drive in a state, and the words for it.
+  struct Pace {
+    double ratio;  ///< of the cruise speed
+    std::string reason;
+    std::string status;
+  };
+
+  [[nodiscard]] Pace pace_in(LocalizationState state) const;
   [[nodiscard]] std::string reason_to_stop(const Pose2& pose, double pose_age, LocalizationState state) const;
   void pass_waypoints(const Eigen::Vector2d& position);
   [[nodiscard]] bool passed_target(const Eigen::Vector2d& position) const;
+  /// Eqs. (36) and (38) of [NIS]. Departs: the error is of the heading, where Eq. (36) prints the steering
+  /// angle.
   [[nodiscard]] double steer_to_target(const Pose2& pose) const;
+  /// Pure pursuit (Coulter 1992): the arc to a point `lookahead` beyond the foot of the pose on the line.
   [[nodiscard]] double steer_along_path(const Pose2& pose) const;
 
   WaypointFollowerParameters parameters_;

@@ -60,7 +60,7 @@ class Receiver {
     GnssFix fix;
   };
   [[nodiscard]] bool outage(double time) const;
-  GnssFix measure(const Pose2& base_in_map, const Reception& reception, double time);
+  void measure(const Pose2& base_in_map, const Reception& reception, double time);
 
   ReceiverParameters parameters_;
   std::vector<OutageParameters> outages_;

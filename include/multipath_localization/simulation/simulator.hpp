@@ -49,7 +49,7 @@ struct Readings {
 /// parameters, seed and commands give the same bytes.
 class Simulator {
  public:
-  /// Throws ParameterError on a polygon without area or a wrong number of noise constants.
+  /// Throws ParameterError on a polygon of fewer than three corners or a wrong number of noise constants.
   Simulator(const SimulatorParameters& parameters, std::uint64_t seed);
 
   /// Moves on by one time step under a command (not finite: a stop).

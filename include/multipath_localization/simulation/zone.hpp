@@ -23,7 +23,7 @@ struct ZoneParameters {
   double direction = 3.14159265358979;
   double direction_sigma = 0.0;
   double direction_rate = 0.0;
-  double direction_rate_sigma = 0.0;
+  double direction_walk = 0.0;
   double bias_sigma = 3.0;
   double bias_time_constant = 20.0;
 
@@ -33,7 +33,7 @@ struct ZoneParameters {
 /// One zone and the bias in it as it runs with time. Deterministic by (seed, index).
 class Zone {
  public:
-  /// Throws ParameterError when the polygon has no area to speak of.
+  /// Throws ParameterError when a polygon has fewer than three corners.
   Zone(const ZoneParameters& parameters, std::uint64_t seed, std::uint32_t index);
 
   /// Moves the bias process on by one step of `duration` [s].
@@ -44,7 +44,8 @@ class Zone {
 
   /// Bias of a fix taken at a point in map [m]; zero outside. By `law`:
   /// depth: its length is the depth, at most the cap, Eq. (44) of [NIS], which leaves the direction open;
-  /// here it is fixed or turns at a rate. random_walk: a Gauss-Markov process, its length cut at the cap.
+  /// here it is fixed, turns at a rate or wanders. random_walk: a Gauss-Markov process, its length cut at the
+  /// cap.
   [[nodiscard]] Eigen::Vector2d bias(const Eigen::Vector2d& point) const;
 
   [[nodiscard]] const ZoneParameters& parameters() const { return parameters_; }
@@ -56,7 +57,6 @@ class Zone {
   std::uint32_t index_;
   std::uint32_t steps_ = 0;
   double direction_ = 0.0;
-  double direction_rate_ = 0.0;
   Eigen::Vector2d walk_ = Eigen::Vector2d::Zero();
 };
 
