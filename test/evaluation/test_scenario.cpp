@@ -37,7 +37,7 @@ TEST_P(ShippedScenario, IsDrivenRoundByItsOwnSteering) {
   int shadow = 0;
   int steps = 0;
   for (; simulator.time() < scenario.duration; ++steps) {
-    simulator.step(follower.command(simulator.truth(), 0.0, LocalizationState::kGood).command);
+    simulator.step(follower.command(simulator.truth(), 0.0, Trust::kGood).command);
     shadow += simulator.in_shadow() ? 1 : 0;
   }
   EXPECT_GE(follower.laps(), 2);
