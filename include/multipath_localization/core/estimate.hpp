@@ -21,7 +21,8 @@ enum class Reason {
   kFutureStamp,        ///< stamp ahead of the odometry by more than the tolerance
   kOldStamp,           ///< stamp older than the odometry history reaches
   kNotStarted,         ///< no odometry yet
-  kInvalidFrame,       ///< frame unknown to tf
+  kInvalidFrame,       ///< frame unknown to tf, or not one this input may have
+  kTooFast,            ///< speed or yaw rate no robot of this kind reaches
 };
 
 /// "accepted", "not finite", ...: one stable text per reason.

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "multipath_localization/core/localization_state.hpp"
+#include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/core/odometry_history.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
@@ -52,7 +52,7 @@ class Localizer {
 
   [[nodiscard]] PoseEstimate estimate() const { return estimator_->estimate(); }
   [[nodiscard]] std::vector<Hypothesis> hypotheses() const { return estimator_->hypotheses(); }
-  [[nodiscard]] LocalizationState state() const;
+  [[nodiscard]] Trust state() const;
   /// One sentence that says why the state is what it is.
   [[nodiscard]] std::string state_reason() const;
 
