@@ -32,8 +32,11 @@ class Replay {
     localizer_.take_reports();
   }
 
-  [[nodiscard]] bool started() const { return next_odometry_ > 0; }
-  [[nodiscard]] const OdometryIncrement& last() const { return drive_.odometry[next_odometry_ - 1]; }
+  /// The increment that came in last.
+  [[nodiscard]] std::optional<OdometryIncrement> last() const {
+    if (next_odometry_ == 0) return std::nullopt;
+    return drive_.odometry[next_odometry_ - 1];
+  }
 
  private:
   const Drive& drive_;
@@ -60,19 +63,19 @@ PosePrior known_start(double stamp, const Pose2& base_in_map) {
   return prior;
 }
 
-Epoch epoch_of(const Localizer& localizer, const TruthSample& truth, OdometryIncrement last,
-               double since_last) {
-  const PoseEstimate estimate = localizer.estimate();
+Epoch epoch_of(const PoseEstimate& estimate, const TruthSample& truth,
+               const std::optional<OdometryIncrement>& last) {
   Epoch epoch;
   epoch.truth = truth;
-  epoch.valid = estimate.valid;
-  if (!estimate.valid) return epoch;
+  if (!estimate.valid || !last || truth.stamp - last->stamp > kLongestCarry) return epoch;
   if (!estimate.pose.finite() || !estimate.position_covariance_overall.allFinite()) {
     throw RunError("the estimate at " + std::to_string(truth.stamp) + " s is not finite");
   }
-  last.duration = since_last;
+  OdometryIncrement carry = *last;
+  carry.duration = truth.stamp - last->stamp;
+  epoch.valid = true;
   epoch.aligned = estimate.aligned;
-  epoch.estimate = estimate.pose * displacement(last);
+  epoch.estimate = estimate.pose * displacement(carry);
   epoch.position_covariance = estimate.position_covariance_overall;
   return epoch;
 }
@@ -85,13 +88,7 @@ std::vector<Epoch> run_drive(const Drive& drive, const EstimatorFactory& make, c
   std::vector<Epoch> epochs;
   for (const TruthSample& truth : drive.truth) {
     replay.advance_to(truth.stamp);
-    const double since_last = replay.started() ? truth.stamp - replay.last().stamp : kNever;
-    if (since_last <= kLongestCarry) {
-      epochs.push_back(epoch_of(localizer, truth, replay.last(), since_last));
-    } else {
-      epochs.push_back({});
-      epochs.back().truth = truth;
-    }
+    epochs.push_back(epoch_of(localizer.estimate(), truth, replay.last()));
     if (progress && epochs.size() % 64 == 0) {
       progress(static_cast<double>(epochs.size()) / static_cast<double>(drive.truth.size()));
     }
