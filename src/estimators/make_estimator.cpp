@@ -1,6 +1,7 @@
 #include "multipath_localization/estimators/make_estimator.hpp"
 
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/estimators/multipath_particle_filter.hpp"
 
 namespace multipath_localization {
 
@@ -25,7 +26,9 @@ Entry entry(const char* name) {
 }
 
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all = {};
+  static const std::vector<Entry> all = {
+      entry<MultipathParticleFilter, MultipathParticleFilterParameters>("multipath_particle_filter"),
+  };
   return all;
 }
 

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "multipath_localization/core/estimate.hpp"
+#include "multipath_localization/models/preintegrated_odometry.hpp"
+
+namespace multipath_localization {
+
+/// Where the Kalman filter of one hypothesis keeps what.
+enum StateIndex { kX, kY, kYaw, kScale, kGyroBias, kBiasX, kBiasY, kStateSize };
+
+/// Gaussian over position [m] and yaw [rad] of the base in map, speed scale [1] and gyro bias [rad/s] of the
+/// odometry, and bias of the fix [m].
+struct Belief {
+  using Vector = Eigen::Matrix<double, kStateSize, 1>;
+  using Matrix = Eigen::Matrix<double, kStateSize, kStateSize>;
+
+  Vector mean = Vector::Zero();
+  Matrix covariance = Matrix::Zero();
+
+  [[nodiscard]] Pose2 pose() const { return {mean(kX), mean(kY), mean(kYaw)}; }
+
+  /// Moves on by the odometry summed up since the last call.
+  void propagate(const PreintegratedOdometry& odometry, const OdometryNoise& noise);
+
+  /// Corrects by a fix of the antenna at `antenna_in_base`, white noise of variance `r` [m^2] an axis.
+  void correct(const Eigen::Vector2d& fix, const Eigen::Vector2d& antenna_in_base, double r);
+
+  /// Bias <- factor * bias + noise of variance `q` an axis: one step of a Gauss-Markov process.
+  void decay_bias(double factor, double q);
+
+  /// Forgets the bias: zero, with this variance an axis, uncorrelated with the rest.
+  void renew_bias(double variance);
+
+  /// Forgets one state: this value and variance, uncorrelated with the rest.
+  void renew(StateIndex index, double value, double variance);
+};
+
+/// What a belief says of the fix to come: antenna position and bias apart, since modes differ in the bias.
+struct FixPrediction {
+  Eigen::Vector2d antenna;             ///< in map [m]
+  Eigen::Vector2d bias;                ///< [m]
+  Eigen::Matrix2d antenna_covariance;  ///< [m^2]
+  Eigen::Matrix2d bias_covariance;     ///< [m^2]
+  Eigen::Matrix2d cross_covariance;    ///< of antenna and bias plus its transpose [m^2]
+
+  FixPrediction(const Belief& belief, const Eigen::Vector2d& antenna_in_base);
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/estimators/dominant_cluster.hpp"
+#include "multipath_localization/estimators/estimator.hpp"
+#include "multipath_localization/estimators/fix_check.hpp"
+#include "multipath_localization/estimators/hypothesis_banks.hpp"
+
+namespace multipath_localization {
+
+/// Rates of change between receiver classes [1/s], while moving.
+struct ClassRateParameters {
+  double street_to_canyon = 1e-6;
+  double canyon_to_street = 1e-5;
+  double street_to_noisy = 1e-8;
+  double noisy_to_street = 1e-6;
+  double canyon_to_noisy = 1e-6;
+  double noisy_to_canyon = 1e-6;
+
+  void fields(ParameterVisitor& field);
+  [[nodiscard]] ClassRates rates() const;
+};
+
+struct MultipathParticleFilterParameters {
+  int particles = 300;
+  double ess_fraction = 0.5;
+  double class_floor = 0.05;
+  double class_evidence_time = 2.0;
+  double restart_sigma = 5.0;
+  double heading_restart_rate = 0.001;
+  double slip_end_rate = 1.0;
+  double alignment_length = 12.0;
+  double alignment_variance_floor = 0.02;
+  double confirm_probability = 0.8;
+  double confirm_time = 10.0;
+  double position_sigma_floor = 0.05;
+  OdometryNoise odometry;
+  ReceiverClasses classes;
+  ClassRateParameters class_rates;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// The default estimator: position from fixes that may be reflected, and wheel odometry.
+///
+/// Goes on from [NIS]: the time-varying bias of Eq. (10) is tracked by a Kalman filter, but as a vector and within
+/// each particle, jointly with the pose and the constants of the odometry (Rao-Blackwellisation); what a particle
+/// samples is the discrete part: open sky or shadow, quiet or noisy, slip, and the class of the receiver's
+/// surroundings. Particles start with headings all round the circle. The pose published is that of the dominant
+/// cluster. `aligned` turns true when the fixes of an open sky, or a canyon with a settled heading, confirmed it.
+class MultipathParticleFilter : public Estimator {
+ public:
+  MultipathParticleFilter(const MultipathParticleFilterParameters& parameters, std::uint64_t seed);
+
+  void start(const std::optional<PosePrior>& prior) override;
+  void predict(const OdometryIncrement& u) override;
+  Innovation update(const Measurement& z) override;
+  [[nodiscard]] PoseEstimate estimate() const override;
+  [[nodiscard]] std::vector<Hypothesis> hypotheses() const override;
+
+ private:
+  /// Spreads the hypotheses over classes, modes and headings; `place` sets the rest of each.
+  template <class Place>
+  void spread(Place place);
+  void start_at(const GnssFix& fix);
+  void start_at(const PosePrior& prior);
+
+  void flush_odometry();
+  void weigh(const GnssFix& fix);
+  [[nodiscard]] FixInterval interval(const ReceiverClass& receiver, const GnssFix& fix, double duration) const;
+  void update_confirmation(double duration);
+  void refresh_cluster();
+  [[nodiscard]] Innovation innovation(const GnssFix& fix) const;
+  [[nodiscard]] Belief current_belief() const;
+
+  MultipathParticleFilterParameters parameters_;
+  ClassRates rates_;
+  std::uint64_t seed_;
+  std::uint32_t step_ = 0;
+
+  std::vector<BeliefParticle> particles_;  ///< none before the first fix or prior
+  DominantCluster cluster_;                ///< of the particles as they are
+  PerClass class_probability_{};
+  double effective_sample_size_ = 0.0;
+
+  PreintegratedOdometry odometry_;  ///< since the particles were last moved
+  RigidAlignment alignment_;
+  FixCheck fix_check_;
+  double now_ = 0.0;
+  double last_fix_ = 0.0;
+  double distance_since_fix_ = 0.0;
+  double confirmed_for_ = 0.0;      ///< time moved under an open sky that explains the fixes [s]
+  double settled_for_ = 0.0;        ///< time moved in a canyon with one heading left [s]
+  bool confirmed_ = false;
+};
+
+}  // namespace multipath_localization

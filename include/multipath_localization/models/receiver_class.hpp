@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "multipath_localization/core/estimate.hpp"
+#include "multipath_localization/core/parameters.hpp"
+
+namespace multipath_localization {
+
+/// How the errors of a fix behave in one kind of place, for one kind of receiver.
+///
+/// The fix is position + bias + white noise. The bias is a Gauss-Markov process that switches between two modes:
+/// `open` (small, of receiver and atmosphere) and `shadow` (large, of reflected and diffracted signals), the
+/// time-varying mean of Eq. (10) of [NIS]. The white noise switches between quiet and noisy.
+struct ReceiverClass {
+  double prior = 0.0;
+  bool always_shadow = false;
+  double quiet_sigma = 0.3;
+  double noisy_sigma = 1.0;
+  double open_bias_sigma = 0.3;
+  double open_bias_time = 20.0;
+  double shadow_bias_sigma = 5.0;
+  double shadow_bias_time = 60.0;
+  double shadow_bias_walk = 0.22;
+  double shadow_entry_sigma = 3.0;
+  double shadow_entry_rate = 0.02;
+  double shadow_exit_rate = 0.05;
+  double shadow_at_start = 0.3;
+  double open_noisy_entry_rate = 0.001;
+  double open_noisy_exit_rate = 3.0;
+  double shadow_noisy_entry_rate = 0.05;
+  double shadow_noisy_exit_rate = 0.05;
+  double slip_rate = 0.005;
+  double outlier_probability = 0.01;
+  double outlier_sigma = 15.0;
+  double jump_rate = 0.05;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// The three classes the default filter samples from, most common first.
+struct ReceiverClasses {
+  ReceiverClass street;
+  ReceiverClass canyon;
+  ReceiverClass noisy;
+
+  ReceiverClasses();
+  void fields(ParameterVisitor& field);
+  [[nodiscard]] const ReceiverClass& operator[](std::size_t index) const;
+};
+
+inline constexpr std::size_t kReceiverClassCount = 3;
+inline constexpr std::size_t kCanyon = 1;
+
+}  // namespace multipath_localization

@@ -1,0 +1,88 @@
+#include "multipath_localization/estimators/dominant_cluster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr std::size_t kSeeds = 24;       ///< heaviest hypotheses tried as centre
+constexpr double kMinReach = 2.0;        ///< [m]
+constexpr double kReachSigmas = 2.0;
+constexpr double kHeadingReach = 0.6;    ///< [rad]
+
+/// Whether a hypothesis agrees with the pose of another, of which it is known how uncertain it is.
+class Agreement {
+ public:
+  explicit Agreement(const Belief& centre) : centre_(centre.mean) {
+    const double variance = 0.5 * (centre.covariance(kX, kX) + centre.covariance(kY, kY));
+    reach_squared_ = std::max(kMinReach * kMinReach, kReachSigmas * kReachSigmas * variance);
+  }
+
+  bool operator()(const Belief& other) const {
+    const double distance_squared = (other.mean.head<2>() - centre_.head<2>()).squaredNorm();
+    return distance_squared < reach_squared_ &&
+           std::abs(angle_difference(other.mean(kYaw), centre_(kYaw))) < kHeadingReach;
+  }
+
+ private:
+  Belief::Vector centre_;
+  double reach_squared_;
+};
+
+std::vector<std::size_t> heaviest(const std::vector<BeliefParticle>& particles) {
+  std::vector<std::size_t> order(particles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::size_t count = std::min(kSeeds, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](std::size_t a, std::size_t b) {
+                      return particles[a].weight > particles[b].weight ||
+                             (particles[a].weight == particles[b].weight && a < b);
+                    });
+  order.resize(count);
+  return order;
+}
+
+Belief::Vector deviation(const Belief& belief, const Belief::Vector& mean) {
+  Belief::Vector d = belief.mean - mean;
+  d(kYaw) = wrap_angle(d(kYaw));
+  return d;
+}
+
+}  // namespace
+
+DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles) {
+  DominantCluster cluster;
+  std::size_t centre = 0;
+  for (const std::size_t seed : heaviest(particles)) {
+    const Agreement agrees(particles[seed].belief);
+    double mass = 0.0;
+    for (const BeliefParticle& particle : particles) mass += agrees(particle.belief) ? particle.weight : 0.0;
+    if (mass <= cluster.mass) continue;
+    cluster.mass = mass;
+    centre = seed;
+  }
+  const Agreement agrees(particles[centre].belief);
+  Belief& belief = cluster.belief;
+  Eigen::Vector2d heading = Eigen::Vector2d::Zero();
+  for (const BeliefParticle& particle : particles) {
+    if (!agrees(particle.belief)) continue;
+    const double share = particle.weight / cluster.mass;
+    belief.mean += share * particle.belief.mean;
+    heading += share * Eigen::Vector2d(std::cos(particle.belief.mean(kYaw)), std::sin(particle.belief.mean(kYaw)));
+    if (particle.mode.shadow) cluster.shadow += share;
+  }
+  belief.mean(kYaw) = std::atan2(heading.y(), heading.x());
+  for (const BeliefParticle& particle : particles) {
+    const Belief::Vector d = deviation(particle.belief, belief.mean);
+    cluster.overall_position_covariance +=
+        particle.weight * (particle.belief.covariance.topLeftCorner<2, 2>() + d.head<2>() * d.head<2>().transpose());
+    if (!agrees(particle.belief)) continue;
+    belief.covariance += particle.weight / cluster.mass * (particle.belief.covariance + d * d.transpose());
+  }
+  return cluster;
+}
+
+}  // namespace multipath_localization

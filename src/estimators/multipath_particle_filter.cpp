@@ -1,0 +1,292 @@
+#include "multipath_localization/estimators/multipath_particle_filter.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kMaxFlush = 1.2;          ///< odometry is linearised over at most this long [s]
+constexpr double kMovedSinceFix = 0.02;    ///< less is a standing robot [m]
+constexpr double kRingSpacing = 0.6;       ///< 1 sigma of a start heading, in spacings of the ring
+constexpr double kMinStartYawSigma = 0.05; ///< [rad]
+constexpr std::uint32_t kMixing = 0xFFFFFFFFU;      ///< random streams beside those of the particles
+constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
+
+double square(double x) { return x * x; }
+
+/// Interleaves the classes in proportion to their priors: the class of each of `count` particles.
+std::vector<std::size_t> interleaved(const ReceiverClasses& classes, std::size_t count) {
+  PerClass due{};
+  std::vector<std::size_t> order(count);
+  for (std::size_t& chosen : order) {
+    for (std::size_t k = 0; k < kReceiverClassCount; ++k) due[k] += classes[k].prior;
+    chosen = static_cast<std::size_t>(std::max_element(due.begin(), due.end()) - due.begin());
+    due[chosen] -= 1.0;
+  }
+  return order;
+}
+
+/// Draws the index of one candidate in proportion to exp(log_weight), and gives log(sum(exp(log_weight))).
+std::pair<std::size_t, double> draw(const std::array<double, kFixCandidates>& log_weight, double u) {
+  const double highest = *std::max_element(log_weight.begin(), log_weight.end());
+  std::array<double, kFixCandidates> weight{};
+  double sum = 0.0;
+  for (std::size_t k = 0; k < kFixCandidates; ++k) sum += weight[k] = std::exp(log_weight[k] - highest);
+  std::size_t chosen = 0;
+  double rest = u * sum;
+  for (std::size_t k = 0; k < kFixCandidates; ++k) {
+    if (weight[k] <= 0.0) continue;
+    chosen = k;
+    if ((rest -= weight[k]) <= 0.0) break;
+  }
+  return {chosen, highest + std::log(sum)};
+}
+
+}  // namespace
+
+MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterParameters& parameters,
+                                                 std::uint64_t seed)
+    : parameters_(parameters),
+      rates_(parameters.class_rates.rates()),
+      seed_(seed),
+      odometry_(parameters.odometry),
+      alignment_(parameters.alignment_length, parameters.classes.street.quiet_sigma,
+                 parameters.alignment_variance_floor) {}
+
+void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
+  particles_.clear();
+  odometry_.restart(0.0, 0.0);
+  alignment_.clear();
+  fix_check_.forget();
+  distance_since_fix_ = confirmed_for_ = settled_for_ = 0.0;
+  confirmed_ = false;
+  step_ = 0;
+  if (prior) start_at(*prior);
+}
+
+template <class Place>
+void MultipathParticleFilter::spread(Place place) {
+  const auto count = static_cast<std::size_t>(parameters_.particles);
+  const std::vector<std::size_t> order = interleaved(parameters_.classes, count);
+  PerClass size{};
+  for (const std::size_t k : order) size[k] += 1.0;
+  PerClass next{};
+  particles_.assign(count, BeliefParticle{});
+  for (std::size_t i = 0; i < count; ++i) {
+    BeliefParticle& particle = particles_[i];
+    const std::size_t k = particle.receiver = order[i];
+    const ReceiverClass& receiver = parameters_.classes[k];
+    particle.weight = 1.0 / static_cast<double>(count);
+    particle.mode.shadow = RandomStream(seed_, step_, static_cast<std::uint32_t>(i)).uniform() < receiver.shadow_at_start;
+    particle.mode.noisy = receiver.always_shadow;
+    const double sigma = particle.mode.shadow ? receiver.shadow_bias_sigma : receiver.open_bias_sigma;
+    particle.belief.renew_bias(sigma * sigma);
+    particle.belief.renew(kScale, 0.0, square(parameters_.odometry.scale_sigma));
+    particle.belief.renew(kGyroBias, 0.0, square(parameters_.odometry.gyro_bias_sigma));
+    place(particle, (next[k] + 0.5) / size[k], size[k]);
+    next[k] += 1.0;
+  }
+  ++step_;
+  last_fix_ = now_;
+  refresh_cluster();
+}
+
+void MultipathParticleFilter::start_at(const GnssFix& fix) {
+  spread([&](BeliefParticle& particle, double turn, double bank_size) {
+    const ReceiverClass& receiver = parameters_.classes[particle.receiver];
+    Belief& belief = particle.belief;
+    const double yaw_sigma = std::max(kMinStartYawSigma, kRingSpacing * 2.0 * kPi / bank_size);
+    belief.renew(kYaw, wrap_angle(2.0 * kPi * turn), square(yaw_sigma));
+    const Eigen::Vector2d lever = rotation(belief.mean(kYaw)) * fix.antenna_in_base;
+    const Eigen::Vector2d by_yaw(-lever.y(), lever.x());
+    const double bias_variance = belief.covariance(kBiasX, kBiasX);
+    const double noise = square(particle.mode.shadow ? receiver.noisy_sigma : receiver.quiet_sigma);
+    belief.mean.head<2>() = fix.position - lever;
+    belief.covariance.topLeftCorner<2, 2>() = (noise + bias_variance) * Eigen::Matrix2d::Identity() +
+                                              square(yaw_sigma) * by_yaw * by_yaw.transpose();
+    belief.covariance.block<2, 1>(kX, kYaw) = -square(yaw_sigma) * by_yaw;
+    belief.covariance.block<1, 2>(kYaw, kX) = -square(yaw_sigma) * by_yaw.transpose();
+    belief.covariance.block<2, 2>(kX, kBiasX) = -bias_variance * Eigen::Matrix2d::Identity();
+    belief.covariance.block<2, 2>(kBiasX, kX) = -bias_variance * Eigen::Matrix2d::Identity();
+  });
+}
+
+void MultipathParticleFilter::start_at(const PosePrior& prior) {
+  now_ = prior.stamp;
+  const double prior_yaw_sigma = std::sqrt(prior.covariance(2, 2));
+  spread([&](BeliefParticle& particle, double turn, double bank_size) {
+    Belief& belief = particle.belief;
+    belief.mean.head<3>() << prior.pose.x, prior.pose.y, prior.pose.yaw;
+    belief.covariance.topLeftCorner<3, 3>() = prior.covariance;
+    if (prior_yaw_sigma < kMinStartYawSigma * kRingSpacing * kPi) return;
+    // A wide heading does not fit one Kalman filter: a ring of narrow ones over 3 sigma, at most the circle.
+    const double half = std::min(3.0 * prior_yaw_sigma, kPi);
+    const double offset = half * (2.0 * turn - 1.0);
+    const double yaw_sigma = std::max(kMinStartYawSigma, kRingSpacing * 2.0 * half / bank_size);
+    belief.renew(kYaw, wrap_angle(prior.pose.yaw + offset), square(yaw_sigma));
+    particle.weight *= std::exp(-0.5 * square(offset / prior_yaw_sigma));
+  });
+  double sum = 0.0;
+  for (const BeliefParticle& particle : particles_) sum += particle.weight;
+  for (BeliefParticle& particle : particles_) particle.weight /= sum;
+  refresh_cluster();
+}
+
+void MultipathParticleFilter::predict(const OdometryIncrement& u) {
+  now_ = u.stamp;
+  if (particles_.empty()) return;
+  odometry_.add(u);
+  distance_since_fix_ += std::abs(u.speed) * u.duration;
+  if (std::abs(u.speed) >= parameters_.odometry.still_speed) alignment_.add(u);
+  if (odometry_.duration() > kMaxFlush) flush_odometry();
+}
+
+void MultipathParticleFilter::flush_odometry() {
+  for (BeliefParticle& particle : particles_) particle.belief.propagate(odometry_, parameters_.odometry);
+  refresh_cluster();
+}
+
+void MultipathParticleFilter::refresh_cluster() {
+  cluster_ = dominant_cluster(particles_);
+  class_probability_ = class_weights(particles_);
+  double squares = 0.0;
+  for (const BeliefParticle& particle : particles_) squares += square(particle.weight);
+  effective_sample_size_ = 1.0 / squares;
+  odometry_.restart(cluster_.belief.mean(kScale), cluster_.belief.mean(kGyroBias));
+}
+
+Innovation MultipathParticleFilter::update(const Measurement& z) {
+  const auto* fix = std::get_if<GnssFix>(&z);
+  if (fix == nullptr) return refused(Reason::kUnused);
+  if (const auto reason = fix_check_.defect(*fix)) return refused(*reason);
+  if (particles_.empty()) {
+    start_at(*fix);
+    Innovation first;
+    first.reason = Reason::kAccepted;
+    return first;
+  }
+  flush_odometry();
+  const Innovation result = innovation(*fix);
+  weigh(*fix);
+  return result;
+}
+
+Innovation MultipathParticleFilter::innovation(const GnssFix& fix) const {
+  const FixPrediction prediction(cluster_.belief, fix.antenna_in_base);
+  Innovation result;
+  result.reason = Reason::kAccepted;
+  result.innovation = fix.position - prediction.antenna - prediction.bias;
+  result.covariance =
+      prediction.antenna_covariance + prediction.cross_covariance + prediction.bias_covariance +
+      square(parameters_.classes.street.quiet_sigma) * Eigen::Matrix2d::Identity();
+  result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
+  return result;
+}
+
+FixInterval MultipathParticleFilter::interval(const ReceiverClass& receiver, const GnssFix&, double duration) const {
+  FixInterval result;
+  result.duration = duration;
+  result.distance = distance_since_fix_;
+  result.moving = distance_since_fix_ > kMovedSinceFix;
+  result.position_restart_rate = confirmed_ ? 0.0 : receiver.jump_rate;
+  result.heading_restart_rate = confirmed_ ? parameters_.heading_restart_rate : receiver.jump_rate;
+  result.restart_sigma = parameters_.restart_sigma;
+  result.slip_end_rate = parameters_.slip_end_rate;
+  if (result.moving) result.aligned_heading = alignment_.heading();
+  return result;
+}
+
+void MultipathParticleFilter::weigh(const GnssFix& fix) {
+  const double duration = std::max(0.0, now_ - last_fix_);
+  const bool moving = distance_since_fix_ > kMovedSinceFix;
+  const double class_time = moving ? duration : 0.0;
+  if (moving) alignment_.add(Eigen::Vector2d(fix.position - rotation(cluster_.belief.mean(kYaw)) * fix.antenna_in_base));
+  if (moving) update_confirmation(duration);
+
+  RandomStream mixing(seed_, step_, kMixing);
+  mix_classes(particles_, rates_, parameters_.classes, class_time, mixing);
+
+  std::array<FixInterval, kReceiverClassCount> intervals;
+  for (std::size_t k = 0; k < kReceiverClassCount; ++k) intervals[k] = interval(parameters_.classes[k], fix, duration);
+  std::vector<double> log_likelihood(particles_.size());
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    BeliefParticle& particle = particles_[i];
+    const FixModes modes(parameters_.classes[particle.receiver], intervals[particle.receiver]);
+    const FixCandidates candidates = modes.candidates(particle.mode, particle.belief);
+    const FixPrediction prediction(particle.belief, fix.antenna_in_base);
+    std::array<double, kFixCandidates> log_weight;
+    log_weight.fill(-std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < kFixCandidates; ++k) {
+      if (candidates[k].prior <= 0.0) continue;
+      log_weight[k] = std::log(candidates[k].prior) +
+                      modes.log_likelihood(candidates[k], prediction, particle.belief.mean(kYaw), fix.position);
+    }
+    RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
+    const auto [chosen, evidence] = draw(log_weight, random.uniform());
+    log_likelihood[i] = evidence;
+    modes.apply(candidates[chosen], fix.position, fix.antenna_in_base, parameters_.odometry, particle.belief);
+    particle.mode = candidates[chosen].mode;
+  }
+  reweigh(particles_, log_likelihood, std::min(1.0, class_time / parameters_.class_evidence_time));
+  refresh_cluster();
+  RandomStream resampling(seed_, step_, kResampling);
+  resample_banks(particles_, parameters_.class_floor, parameters_.ess_fraction, resampling);
+  ++step_;
+  last_fix_ = now_;
+  distance_since_fix_ = 0.0;
+}
+
+void MultipathParticleFilter::update_confirmation(double duration) {
+  double open_quiet = 0.0;
+  for (const BeliefParticle& particle : particles_) {
+    if (!particle.mode.shadow && !particle.mode.noisy) open_quiet += particle.weight;
+  }
+  const bool confirms = open_quiet > parameters_.confirm_probability;
+  confirmed_for_ = std::max(0.0, confirmed_for_ + (confirms ? duration : -duration));
+  confirmed_ = confirmed_ || confirmed_for_ > parameters_.confirm_time;
+}
+
+Belief MultipathParticleFilter::current_belief() const {
+  Belief belief = cluster_.belief;
+  belief.propagate(odometry_, parameters_.odometry);
+  return belief;
+}
+
+PoseEstimate MultipathParticleFilter::estimate() const {
+  PoseEstimate result;
+  result.stamp = now_;
+  if (particles_.empty()) return result;
+  const Belief belief = current_belief();
+  const Eigen::Matrix2d floor = square(parameters_.position_sigma_floor) * Eigen::Matrix2d::Identity();
+  result.valid = true;
+  result.aligned = confirmed_;
+  result.pose = belief.pose();
+  result.covariance = belief.covariance.topLeftCorner<3, 3>();
+  result.covariance.topLeftCorner<2, 2>() += floor;
+  result.dominance = cluster_.mass;
+  result.position_covariance_overall = cluster_.overall_position_covariance + floor;
+  result.shadow_probability = cluster_.shadow;
+  result.canyon_probability = class_probability_[kCanyon];
+  result.bias = belief.mean.tail<2>();
+  result.bias_covariance = belief.covariance.bottomRightCorner<2, 2>();
+  result.effective_sample_size = effective_sample_size_;
+  return result;
+}
+
+std::vector<Hypothesis> MultipathParticleFilter::hypotheses() const {
+  std::vector<Hypothesis> all;
+  all.reserve(particles_.size());
+  for (const BeliefParticle& particle : particles_) {
+    Belief belief = particle.belief;
+    belief.propagate(odometry_, parameters_.odometry);
+    const Mode mode = particle.receiver == kCanyon ? Mode::kCanyon : particle.mode.shadow ? Mode::kShadow : Mode::kOpen;
+    all.push_back({belief.pose(), particle.weight, mode});
+  }
+  return all;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,45 @@
+#include "multipath_localization/estimators/multipath_particle_filter.hpp"
+
+namespace multipath_localization {
+
+void ClassRateParameters::fields(ParameterVisitor& field) {
+  const Range rate{0.0, 1.0};
+  field("street_to_canyon", street_to_canyon, rate, "1/s", "rate of driving from a street into a canyon");
+  field("canyon_to_street", canyon_to_street, rate, "1/s", "rate of driving from a canyon into a street");
+  field("street_to_noisy", street_to_noisy, rate, "1/s", "rate of a good receiver turning plain");
+  field("noisy_to_street", noisy_to_street, rate, "1/s", "rate of a plain receiver turning good");
+  field("canyon_to_noisy", canyon_to_noisy, rate, "1/s", "rate of leaving a canyon with a plain receiver");
+  field("noisy_to_canyon", noisy_to_canyon, rate, "1/s", "rate of entering a canyon with a plain receiver");
+}
+
+ClassRates ClassRateParameters::rates() const {
+  return {{{0.0, street_to_canyon, street_to_noisy},
+           {canyon_to_street, 0.0, canyon_to_noisy},
+           {noisy_to_street, noisy_to_canyon, 0.0}}};
+}
+
+void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
+  field("particles", particles, {20, 100000}, "1", "hypotheses, each with a Kalman filter of its own");
+  field("ess_fraction", ess_fraction, {0.0, 1.0}, "1", "resample below this effective share of a class's hypotheses");
+  field("class_floor", class_floor, {0.0, 0.3}, "1", "least share of the hypotheses that a receiver class keeps");
+  field("class_evidence_time", class_evidence_time, {0.01, 1000.0}, "s",
+        "fixes within this time count as one piece of evidence about the receiver class");
+  field("restart_sigma", restart_sigma, {0.1, 100.0}, "m", "uncertainty of position at a restart from the fixes");
+  field("heading_restart_rate", heading_restart_rate, {0.0, 1.0}, "1/s",
+        "rate of restarts of the heading from the fixes once the pose is confirmed");
+  field("slip_end_rate", slip_end_rate, {0.01, 100.0}, "1/s", "rate of wheel slip ending");
+  field("alignment_length", alignment_length, {1.0, 200.0}, "m",
+        "distance over which the fixes give the heading for restarts");
+  field("alignment_variance_floor", alignment_variance_floor, {1e-6, 1.0}, "rad^2",
+        "variance of that heading at best: a bias that turns tilts it");
+  field("confirm_probability", confirm_probability, {0.5, 1.0}, "1",
+        "probability of open sky that counts towards confirming the pose");
+  field("confirm_time", confirm_time, {0.0, 600.0}, "s", "driving under open sky that confirms the pose");
+  field("position_sigma_floor", position_sigma_floor, {0.0, 100.0}, "m",
+        "added to the published position: no covariance is believed below it");
+  field.group("odometry", odometry, "how far the wheel odometry can be trusted");
+  field.group("classes", classes, "kinds of place and receiver");
+  field.group("class_rates", class_rates, "how often the kind of place changes");
+}
+
+}  // namespace multipath_localization
