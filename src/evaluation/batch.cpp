@@ -7,37 +7,35 @@ namespace multipath_localization {
 
 namespace {
 
-void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& make, const ProgressReport& progress,
-              Run& run) {
+void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& make,
+              const ProgressReport& progress, Run& run) {
   const double from = drive.start() + batch.score_from;
   run.epochs = run_drive(drive, make, batch.settings, progress);
-  run.record.score = score(run.epochs, from);
+  run.score = score(run.epochs, from);
   run.fixes = score_fixes(drive, from);
 }
 
 void run_over(const Scenario& scenario, const Batch& batch, const EstimatorFactory& make,
               const ProgressReport& progress, Run& run) {
-  ClosedLoopRun result = run_scenario(scenario, run.record.seed, make, batch.settings, progress);
-  run.record.score = score(result.epochs, batch.score_from);
+  ClosedLoopRun result = run_scenario(scenario, run.seed, make, batch.settings, progress);
+  run.score = score(result.epochs, batch.score_from);
   run.fixes = score_fixes(result.drive, batch.score_from);
   run.course = result.course;
   run.epochs = std::move(result.epochs);
   run.drive = std::move(result.drive);
 }
 
-void make_run(const Stream& stream, const Batch& batch, const std::string& parameters, const ProgressReport& progress,
-              Run& run) {
+void make_run(const Stream& stream, const Batch& batch, const std::string& parameters,
+              const ProgressReport& progress, Run& run) {
   const double started = thread_cpu_time();
   try {
-    const auto make = [&] {
-      return make_estimator(run.record.estimator, YAML::Load(parameters), run.record.seed);
-    };
+    const auto make = [&] { return make_estimator(run.estimator, YAML::Load(parameters), run.seed); };
     std::visit([&](const auto& s) { run_over(s, batch, make, progress, run); }, stream);
   } catch (const std::exception& error) {
     run.failure = error.what();
   }
-  run.record.cpu = thread_cpu_time() - started;
-  if (run.record.seed != 1) {
+  run.cpu = thread_cpu_time() - started;
+  if (run.seed != 1) {
     run.epochs = {};
     run.drive = {};
   }
@@ -59,15 +57,16 @@ std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
   return all;
 }
 
-std::vector<Run> run_batch(const Batch& batch, const Stream& stream, const std::vector<std::string>& parameters,
+std::vector<Run> run_batch(const Batch& batch, const Stream& stream,
+                           const std::vector<std::string>& parameters,
                            const std::function<void(std::size_t, double)>& progress) {
   std::vector<Run> runs;
   for (const std::string& name : batch.estimators) {
     for (std::uint64_t seed = 1; seed <= batch.seeds; ++seed) {
       runs.emplace_back();
-      runs.back().record.source = batch.source;
-      runs.back().record.estimator = name;
-      runs.back().record.seed = seed;
+      runs.back().source = batch.source;
+      runs.back().estimator = name;
+      runs.back().seed = seed;
     }
   }
   for_each_index(runs.size(), batch.jobs, [&](std::size_t i) {

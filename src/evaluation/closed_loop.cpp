@@ -16,7 +16,8 @@ class CourseWatch {
   void see(const Eigen::Vector2d& truth, const MotionCommand& command, double duration) {
     const std::vector<Eigen::Vector2d>& waypoints = follower_.waypoints();
     if (waypoints.empty()) return;
-    const std::size_t passed = waypoints.size() * static_cast<std::size_t>(follower_.laps()) + follower_.target();
+    const std::size_t passed =
+        waypoints.size() * static_cast<std::size_t>(follower_.laps()) + follower_.target();
     closest_.resize(passed + 1, std::numeric_limits<double>::infinity());
     for (std::size_t i = passed == 0 ? 0 : passed - 1; i <= passed; ++i) {
       closest_[i] = std::min(closest_[i], (waypoints[i % waypoints.size()] - truth).norm());

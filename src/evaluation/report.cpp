@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <optional>
+#include <numeric>
 #include <sstream>
 
 #include "multipath_localization/core/angle.hpp"
@@ -13,11 +13,9 @@ namespace multipath_localization {
 
 namespace {
 
-using Figure = std::function<std::optional<double>(const RunRecord&)>;
-
 std::string number(double value, int digits) {
   char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  std::snprintf(text, sizeof(text), "%.*f", digits, value);
   return text;
 }
 
@@ -25,8 +23,8 @@ std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
     char escaped[8] = {c, '\0'};
-    if (c == '"' || c == '\\') std::snprintf(escaped, sizeof escaped, "\\%c", c);
-    if (static_cast<unsigned char>(c) < 0x20) std::snprintf(escaped, sizeof escaped, "\\u%04x", c);
+    if (c == '"' || c == '\\') std::snprintf(escaped, sizeof(escaped), "\\%c", c);
+    if (static_cast<unsigned char>(c) < 0x20) std::snprintf(escaped, sizeof(escaped), "\\u%04x", c);
     out += escaped;
   }
   return out + "\"";
@@ -36,79 +34,104 @@ std::string json(std::optional<double> value) {
   return value && std::isfinite(*value) ? number(*value, 6) : "null";
 }
 
+/// A line of the table: the runs behind it and which score of theirs it is about.
+struct Line {
+  std::string title;
+  std::vector<const Run*> runs;
+  Score Run::*score;
+};
+
+using Figure = std::function<std::optional<double>(const Run&, const Score&)>;
+
 struct Column {
   std::string title;
   int digits;
-  double unit;  ///< of the column in SI
   Figure figure;
+  bool of_fixes;  ///< applies to the fixes too
 };
 
-/// A column of one member of the score.
-Column of(const std::string& title, int digits, std::optional<double> Score::*member, double unit = 1.0) {
-  return {title, digits, unit, [member](const RunRecord& record) { return record.score.*member; }};
+Column of(const std::string& title, std::optional<double> Score::*member) {
+  return {title, 2, [member](const Run&, const Score& score) { return score.*member; }, true};
+}
+
+std::optional<double> scaled(std::optional<double> value, double factor) {
+  return value ? std::optional(*value * factor) : std::nullopt;
+}
+
+/// A count, where there is anything to count.
+std::optional<double> count(std::size_t value) {
+  return value == 0 ? std::nullopt : std::optional(static_cast<double>(value));
 }
 
 const std::vector<Column>& columns() {
   static const std::vector<Column> all = {
-      {"epochs", 0, 1.0, [](const RunRecord& r) { return static_cast<double>(r.score.epochs); }},
-      {"unscored", 0, 1.0, [](const RunRecord& r) { return static_cast<double>(r.score.unscored); }},
-      of("mean", 2, &Score::mean),
-      of("rmse", 2, &Score::rmse),
-      of("median", 2, &Score::median),
-      of("p95", 2, &Score::p95),
-      of("max", 2, &Score::max),
-      of("shadow", 2, &Score::rmse_shadow),
-      of("open", 2, &Score::rmse_open),
-      of("yaw deg", 2, &Score::heading_rmse, kPi / 180.0),
-      of("NEES", 2, &Score::nees_mean),
-      of("in 95 %", 0, &Score::in_ellipse, 0.01),
-      {"cpu s", 2, 1.0, [](const RunRecord& r) { return r.cpu; }},
+      {"epochs", 0, [](const Run&, const Score& s) { return count(s.epochs); }, true},
+      {"without", 0, [](const Run&, const Score& s) { return count(s.unscored); }, true},
+      of("mean m", &Score::mean),
+      of("rmse", &Score::rmse),
+      of("median", &Score::median),
+      of("95 %", &Score::p95),
+      of("max", &Score::max),
+      of("shadow", &Score::rmse_shadow),
+      of("open", &Score::rmse_open),
+      {"yaw deg", 2, [](const Run&, const Score& s) { return scaled(s.heading_rmse, 180.0 / kPi); }, true},
+      of("NEES", &Score::nees_mean),
+      {"in 95 %", 0, [](const Run&, const Score& s) { return scaled(s.in_ellipse, 100.0); }, true},
+      {"waypoints", 1, [](const Run& run, const Score&) { return count(run.course.waypoints_passed); },
+       false},
+      {"miss m", 2, [](const Run& run, const Score&) { return run.course.worst_miss; }, false},
+      {"cpu s", 2, [](const Run& run, const Score&) { return std::optional(run.cpu); }, false},
   };
   return all;
 }
 
-std::vector<double> figures(const std::vector<RunRecord>& runs, const Figure& figure) {
+std::string mean_cell(const Line& line, const Column& column) {
+  if (line.score == &Run::fixes && !column.of_fixes) return "-";
   std::vector<double> values;
-  for (const RunRecord& run : runs) {
-    if (const std::optional<double> value = figure(run)) values.push_back(*value);
+  for (const Run* run : line.runs) {
+    if (const std::optional<double> value = column.figure(*run, run->*line.score)) values.push_back(*value);
   }
-  return values;
-}
-
-std::string mean_cell(const std::vector<RunRecord>& runs, const Column& column) {
-  const std::vector<double> values = figures(runs, column.figure);
   if (values.empty()) return "-";
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return number(sum / static_cast<double>(values.size()) / column.unit, column.digits);
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return number(sum / static_cast<double>(values.size()), column.digits);
 }
 
-std::string worst_cell(const std::vector<RunRecord>& runs) {
-  const RunRecord* worst = nullptr;
-  for (const RunRecord& run : runs) {
-    if (run.score.rmse && (worst == nullptr || *run.score.rmse > *worst->score.rmse)) worst = &run;
+std::string worst_cell(const Line& line) {
+  const Run* worst = nullptr;
+  for (const Run* run : line.runs) {
+    const std::optional<double> rmse = (run->*line.score).rmse;
+    if (rmse && (worst == nullptr || *rmse > *(worst->*line.score).rmse)) worst = run;
   }
   if (worst == nullptr) return "-";
-  return number(*worst->score.rmse, 2) + " (seed " + std::to_string(worst->seed) + ")";
+  return number(*(worst->*line.score).rmse, 2) + " (" + std::to_string(worst->seed) + ")";
 }
 
-std::vector<std::string> row(const std::vector<RunRecord>& runs) {
-  std::vector<std::string> cells = {runs.front().estimator, std::to_string(runs.size())};
-  for (const Column& column : columns()) cells.push_back(mean_cell(runs, column));
-  cells.push_back(worst_cell(runs));
-  return cells;
-}
-
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& cells : rows) {
-    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
+std::vector<Line> lines(const std::vector<Run>& runs) {
+  std::vector<Line> all = {{"(fixes as they are)", {}, &Run::fixes}};
+  for (const Run& run : runs) {
+    if (!run.failure.empty()) continue;
+    const auto known =
+        std::find_if(all.begin() + 1, all.end(), [&](const Line& l) { return l.title == run.estimator; });
+    if (known == all.end()) {
+      all.push_back({run.estimator, {&run}, &Run::score});
+    } else {
+      known->runs.push_back(&run);
+    }
   }
+  if (all.size() > 1) all.front().runs = all[1].runs;
+  return all;
+}
+
+using TextColumn = std::vector<std::string>;
+
+std::string side_by_side(const std::vector<TextColumn>& text) {
   std::string out;
-  for (const auto& cells : rows) {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::string padding(widths[i] - cells[i].size(), ' ');
-      out += i == 0 ? cells[i] + padding : "  " + padding + cells[i];
+  for (std::size_t row = 0; row < text.front().size(); ++row) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      std::size_t width = 0;
+      for (const std::string& cell : text[i]) width = std::max(width, cell.size());
+      const std::string padding(width - text[i][row].size(), ' ');
+      out += i == 0 ? text[i][row] + padding : "  " + padding + text[i][row];
     }
     out += "\n";
   }
@@ -117,43 +140,45 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
 
 }  // namespace
 
-std::string to_json(const std::vector<RunRecord>& records) {
+std::string to_json(const std::vector<Run>& runs) {
   std::ostringstream out;
   out << "[";
   const char* separator = "\n";
-  for (const RunRecord& record : records) {
-    const Score& s = record.score;
-    out << separator << "  {\"source\": " << quoted(record.source)
-        << ", \"estimator\": " << quoted(record.estimator) << ", \"seed\": " << record.seed
+  for (const Run& run : runs) {
+    if (!run.failure.empty()) continue;
+    const Score& s = run.score;
+    out << separator << "  {\"source\": " << quoted(run.source)
+        << ", \"estimator\": " << quoted(run.estimator) << ", \"seed\": " << run.seed
         << ", \"epochs\": " << s.epochs << ", \"mean_m\": " << json(s.mean)
         << ", \"rmse_m\": " << json(s.rmse) << ", \"median_m\": " << json(s.median)
         << ", \"p95_m\": " << json(s.p95) << ", \"max_m\": " << json(s.max)
         << ", \"heading_rmse_rad\": " << json(s.heading_rmse)
         << ", \"rmse_shadow_m\": " << json(s.rmse_shadow) << ", \"rmse_open_m\": " << json(s.rmse_open)
-        << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(record.cpu) << "}";
+        << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu) << "}";
     separator = ",\n";
   }
   out << "\n]\n";
   return out.str();
 }
 
-std::string to_table(const std::vector<RunRecord>& records) {
-  std::vector<std::string> header = {"estimator", "runs"};
-  for (const Column& column : columns()) header.push_back(column.title);
-  header.emplace_back("worst rmse");
-  std::vector<std::string> names;
-  for (const RunRecord& record : records) {
-    if (std::find(names.begin(), names.end(), record.estimator) == names.end())
-      names.push_back(record.estimator);
+std::string to_table(const std::vector<Run>& runs) {
+  const std::vector<Line> rows = lines(runs);
+  std::vector<TextColumn> text = {{"estimator"}, {"runs"}};
+  for (const Line& line : rows) {
+    text[0].push_back(line.title);
+    text[1].push_back(std::to_string(line.runs.size()));
   }
-  std::vector<std::vector<std::string>> rows = {header};
-  for (const std::string& name : names) {
-    std::vector<RunRecord> runs;
-    std::copy_if(records.begin(), records.end(), std::back_inserter(runs),
-                 [&](const RunRecord& record) { return record.estimator == name; });
-    rows.push_back(row(runs));
+  for (const Column& column : columns()) {
+    TextColumn cells = {column.title};
+    for (const Line& line : rows) cells.push_back(mean_cell(line, column));
+    if (std::any_of(cells.begin() + 1, cells.end(), [](const std::string& cell) { return cell != "-"; })) {
+      text.push_back(cells);
+    }
   }
-  return aligned(rows);
+  TextColumn worst = {"worst rmse (seed)"};
+  for (const Line& line : rows) worst.push_back(worst_cell(line));
+  text.push_back(worst);
+  return side_by_side(text);
 }
 
 }  // namespace multipath_localization

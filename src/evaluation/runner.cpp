@@ -93,7 +93,7 @@ std::vector<Epoch> run_drive(const Drive& drive, const EstimatorFactory& make, c
       progress(static_cast<double>(epochs.size()) / static_cast<double>(drive.truth.size()));
     }
   }
-  replay.advance_to(kNever);
+  replay.advance_to(std::numeric_limits<double>::max());
   return epochs;
 }
 

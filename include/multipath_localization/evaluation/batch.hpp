@@ -9,7 +9,6 @@
 
 #include "multipath_localization/evaluation/closed_loop.hpp"
 #include "multipath_localization/evaluation/parameter_overrides.hpp"
-#include "multipath_localization/evaluation/report.hpp"
 
 namespace multipath_localization {
 
@@ -18,7 +17,7 @@ using Stream = std::variant<Drive, Scenario>;
 
 /// Every estimator with every seed over one stream.
 struct Batch {
-  std::string source;                   ///< what the records call the stream
+  std::string source;                   ///< what the runs call the stream
   std::vector<std::string> estimators;  ///< by name
   std::uint64_t seeds = 1;              ///< 1..seeds
   std::size_t jobs = 1;                 ///< runs at a time
@@ -28,10 +27,14 @@ struct Batch {
 
 /// One run and what came of it.
 struct Run {
-  RunRecord record;
-  std::string failure;  ///< why it did not end; empty when it did
-  Score fixes;          ///< the fixes of that run as they are
-  Course course;        ///< scenarios only
+  std::string source;  ///< drive, bag or scenario, as named by the user
+  std::string estimator;
+  std::uint64_t seed = 1;
+  std::string failure;  ///< why it did not end, and then nothing below counts; empty when it did
+  Score score;
+  Score fixes;       ///< of the fixes as they came
+  Course course;     ///< scenarios only
+  double cpu = 0.0;  ///< processor time of the thread, the simulator's included [s]
 
   std::vector<Epoch> epochs;  ///< of seed 1 only, to be drawn
   Drive drive;                ///< of seed 1 of a scenario only
@@ -39,12 +42,14 @@ struct Run {
 
 /// Parameters of each estimator of the batch as YAML text: those of the scenario with `overrides` over them.
 /// Throws ParameterError on an unknown estimator or an unusable parameter.
-std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream, const ParameterOverrides& overrides);
+std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
+                                       const ParameterOverrides& overrides);
 
 /// Makes all runs, in the order of the estimators and then the seeds; `parameters` as from `parameters_of`.
-/// `progress` is told the run and the fraction of it that is done, from several threads. Results do not depend on
-/// `jobs`, but for the processor time.
-std::vector<Run> run_batch(const Batch& batch, const Stream& stream, const std::vector<std::string>& parameters,
+/// `progress` is told the run and the fraction of it that is done, from several threads. Results do not
+/// depend on `jobs`, but for the processor time.
+std::vector<Run> run_batch(const Batch& batch, const Stream& stream,
+                           const std::vector<std::string>& parameters,
                            const std::function<void(std::size_t, double)>& progress);
 
 }  // namespace multipath_localization

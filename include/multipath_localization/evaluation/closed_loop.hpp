@@ -20,15 +20,15 @@ struct Course {
 
 /// A simulated run: what was recorded, how the estimator did, and where the robot got to.
 struct ClosedLoopRun {
-  Drive drive;  ///< replaying it by `run_drive` gives the same epochs
+  Drive drive;                ///< replaying it by `run_drive` gives the same epochs
   std::vector<Epoch> epochs;  ///< one per step of the simulator
   Course course;
 };
 
-/// Simulates a scenario in which the waypoint follower steers on the estimate. At every step: the command for the
-/// estimate after the last odometry, one step of robot and receiver, then odometry and fixes as they come in.
-/// The distance at which a waypoint was passed is that of the closest approach from when it was steered for until
-/// the next one was passed. Throws RunError.
+/// Simulates a scenario in which the waypoint follower steers on the estimate. At every step: the command for
+/// the estimate after the last odometry, one step of robot and receiver, then odometry and fixes as they come
+/// in. The distance at which a waypoint was passed is that of the closest approach from when it was steered
+/// for until the next one was passed. Throws RunError.
 ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const EstimatorFactory& make,
                            const RunSettings& settings, const ProgressReport& progress = nullptr);
 

@@ -44,8 +44,9 @@ std::vector<Epoch> run_drive(const Drive& drive, const EstimatorFactory& make, c
 /// The prior of a known start: the pose, with 0.1 m and 0.02 rad of standard deviation.
 PosePrior known_start(double stamp, const Pose2& base_in_map);
 
-/// What is scored of an estimate, carried on to the truth sample by `last`, the increment of odometry it stands at the
-/// end of: invalid where that is missing or over a second before. Throws RunError when a valid estimate is not finite.
+/// What is scored of an estimate, carried on to the truth sample by `last`, the increment of odometry it
+/// stands at the end of: invalid where that is missing or over a second before. Throws RunError when a valid
+/// estimate is not finite.
 Epoch epoch_of(const PoseEstimate& estimate, const TruthSample& truth,
                const std::optional<OdometryIncrement>& last);
 
