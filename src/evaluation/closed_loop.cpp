@@ -54,7 +54,7 @@ TruthSample truth_of(const Simulator& simulator) {
 struct Published {
   double stamp = -std::numeric_limits<double>::infinity();
   Pose2 pose;
-  LocalizationState state = LocalizationState::kNotReady;
+  Trust state = Trust::kNotReady;
 };
 
 }  // namespace
