@@ -65,7 +65,8 @@ class Loader : public ParameterVisitor {
     if (const YAML::Node node = find(key)) value = number<double>(node, key, range);
   }
 
-  void operator()(const std::string& key, int& value, Range range, std::string_view, std::string_view) override {
+  void operator()(const std::string& key, int& value, Range range, std::string_view,
+                  std::string_view) override {
     if (const YAML::Node node = find(key)) value = number<int>(node, key, range);
   }
 
@@ -118,8 +119,9 @@ class Loader : public ParameterVisitor {
     resize(0);
     resize(node.size());
     for (std::size_t i = 0; i < node.size(); ++i) {
-      load_fields(node[i], [&](ParameterVisitor& field) { fields(i, field); },
-                  name(key) + "[" + std::to_string(i) + "]");
+      load_fields(
+          node[i], [&](ParameterVisitor& field) { fields(i, field); },
+          name(key) + "[" + std::to_string(i) + "]");
     }
   }
 
