@@ -33,6 +33,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
   toggle_ = private_node.advertiseService("toggle", &LocalizationNode::on_toggle, this);
   tf_timer_ =
       node.createTimer(ros::Duration(1.0 / parameters_.outputs.tf_rate), [this](const ros::TimerEvent&) {
+        watch_clock();
         if (enabled_) map_to_odom_.keep_up(ros::Time::now(), parameters_.odometry.max_gap);
       });
   diagnostics_timer_ = node.createWallTimer(ros::WallDuration(kDiagnosticsEvery),

@@ -48,8 +48,10 @@ class LocalizationNode {
 
   /// Starts the estimator afresh, at the prior if there is one. What had waited is reported as not started.
   void restart(const std::string& why, const std::optional<PosePrior>& prior = std::nullopt);
-  /// The same after a jump in time, forgetting also what tf and odometry have said.
+  /// The same after the stamps of odometry have jumped, forgetting also what tf said and what was last seen.
   void restart_time(const std::string& why);
+  /// The same, and the next odometry is a first one.
+  void forget(const std::string& why);
   void watch_clock();
   void tell_what_is_missing();
 

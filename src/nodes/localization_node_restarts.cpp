@@ -28,12 +28,12 @@ void LocalizationNode::on_pose(const geometry_msgs::PoseWithCovarianceStamped::C
 }
 
 bool LocalizationNode::on_reset(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {
-  restart("asked to");
+  forget("asked to");
   return true;
 }
 
 bool LocalizationNode::on_toggle(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-  if (request.data && !enabled_) restart_time("switched on");
+  if (request.data && !enabled_) forget("switched on");
   enabled_ = request.data;
   if (!enabled_) diagnostics_.note("switched off by ~toggle");
   response.success = true;
@@ -59,11 +59,15 @@ void LocalizationNode::restart_time(const std::string& why) {
   tf_.clear();
 }
 
+void LocalizationNode::forget(const std::string& why) {
+  odometry_reader_.clear();
+  restart_time(why);
+}
+
 void LocalizationNode::watch_clock() {
   const ros::Time now = ros::Time::now();
   if (now.toSec() < latest_clock_.toSec() - parameters_.odometry.time_jump_threshold) {
-    odometry_reader_.clear();
-    restart_time("the clock has gone back");
+    forget("the clock has gone back");
   }
   latest_clock_ = now;
 }

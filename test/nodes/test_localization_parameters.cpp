@@ -1,11 +1,10 @@
-#include "nodes/localization_parameters.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
 #include "multipath_localization/estimators/make_estimator.hpp"
+#include "nodes/localization_parameters.hpp"
 
 namespace multipath_localization {
 namespace {
