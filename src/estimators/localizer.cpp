@@ -16,7 +16,8 @@ OdometryIncrement lasting(OdometryIncrement increment, double start, double end)
 }  // namespace
 
 void LocalizerParameters::fields(ParameterVisitor& field) {
-  field("history_length", history_length, {0.1, 60.0}, "s", "odometry kept, so that fixes this late still count");
+  field("history_length", history_length, {0.1, 60.0}, "s",
+        "odometry kept, so that fixes this late still count");
   field("future_tolerance", future_tolerance, {0.0, 10.0}, "s",
         "a fix stamped further ahead of the odometry than this is refused");
   field("dead_reckoning_after", dead_reckoning_after, {0.1, 600.0}, "s",
