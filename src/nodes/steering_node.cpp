@@ -24,6 +24,9 @@ Trust to_trust(const LocalizationState& message) {
   return message.state <= LocalizationState::LOST ? static_cast<Trust>(message.state) : Trust::kLost;
 }
 
+/// A status without its figures, which change all the time.
+std::string kind(const std::string& status) { return status.substr(0, status.find_first_of("0123456789")); }
+
 }  // namespace
 
 void SteeringNodeParameters::fields(ParameterVisitor& field) {
@@ -130,7 +133,7 @@ void SteeringNode::publish(const MotionCommand& command, const ros::Time& now) {
 
 void SteeringNode::report(const std::string& status) {
   if (status != status_) {
-    ROS_INFO_STREAM(status);
+    if (kind(status) != kind(status_)) ROS_INFO_STREAM(status);
     std_msgs::String message;
     message.data = status_ = status;
     status_out_.publish(message);
