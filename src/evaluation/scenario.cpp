@@ -50,7 +50,8 @@ Scenario load_scenario(const std::string& file) {
   Scenario scenario;
   scenario.name = std::filesystem::path(file).stem().string();
   load(source["simulator"], scenario.simulator, "simulator");
-  YAML::Node steering = YAML::Clone(source["steering"]);
+  YAML::Node steering;
+  if (source["steering"]) steering = YAML::Clone(source["steering"]);
   if (steering.IsMap() && steering["waypoints"]) {
     scenario.waypoints = load_points(steering["waypoints"], "steering/waypoints");
     steering.remove("waypoints");

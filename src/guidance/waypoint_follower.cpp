@@ -35,8 +35,10 @@ void WaypointFollowerParameters::fields(ParameterVisitor& field) {
         "so is one whose line, perpendicular to the way there, is crossed this far aside at most");
   field("loop", loop, "after the last waypoint go on to the first, else stop");
   field("max_pose_age", max_pose_age, {0.0, 60.0}, "s", "an older pose stops the robot");
-  field("aligning_speed_ratio", aligning_speed_ratio, {0.0, 1.0}, "1",
-        "of the cruise speed in ALIGNING; straight ahead until the heading was confirmed once");
+  field("aligning_distance", aligning_distance, {0.0, 1e3}, "m",
+        "from a start in ALIGNING go straight this far, for the heading to show, unless it is confirmed "
+        "before");
+  field("aligning_speed_ratio", aligning_speed_ratio, {0.0, 1.0}, "1", "of the cruise speed in ALIGNING");
   field("multipath_speed_ratio", multipath_speed_ratio, {0.0, 1.0}, "1", "of the cruise speed in MULTIPATH");
   field("dead_reckoning_speed_ratio", dead_reckoning_speed_ratio, {0.0, 1.0}, "1",
         "of the cruise speed in DEAD_RECKONING; 0 holds there as in NOT_READY and LOST");
@@ -62,18 +64,14 @@ bool WaypointFollower::finished() const {
   return !parameters_.loop && !waypoints_.empty() && passed_ >= waypoints_.size();
 }
 
-FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, LocalizationState state) {
+FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state) {
   if (finished()) return {{}, "finished"};
   const std::string reason = reason_to_stop(pose, pose_age, state);
   if (!reason.empty()) return {{}, "stopped: " + reason};
 
   const Pace pace = pace_in(state);
   const double speed = pace.ratio * parameters_.cruise_speed;
-  if (!was_aligned_) {
-    if (state == LocalizationState::kAligning) return {{speed, 0.0}, pace.status};
-    was_aligned_ = true;
-    segment_start_ = pose.position();
-  }
+  if (!underway_ && !set_off(pose.position(), state)) return {{speed, 0.0}, pace.status};
   pass_waypoints(pose.position());
   if (finished()) return {{}, "finished"};
   const double angle = parameters_.law == "nishida" ? steer_to_target(pose) : steer_along_path(pose);
@@ -81,29 +79,34 @@ FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Loc
           pace.status};
 }
 
-std::string WaypointFollower::reason_to_stop(const Pose2& pose, double pose_age,
-                                             LocalizationState state) const {
+std::string WaypointFollower::reason_to_stop(const Pose2& pose, double pose_age, Trust state) const {
   if (waypoints_.empty()) return "no waypoints";
   if (!(pose_age <= parameters_.max_pose_age)) return old_pose(pose_age);
   if (!pose.finite()) return "pose not finite";
-  if (state == LocalizationState::kNotReady) return "localisation not ready";
-  if (state == LocalizationState::kLost) return "localisation lost";
+  if (state == Trust::kNotReady) return "localisation not ready";
+  if (state == Trust::kLost) return "localisation lost";
   if (pace_in(state).ratio == 0.0) return pace_in(state).reason;
   return "";
 }
 
-WaypointFollower::Pace WaypointFollower::pace_in(LocalizationState state) const {
+WaypointFollower::Pace WaypointFollower::pace_in(Trust state) const {
   const auto slow = [](double ratio, const std::string& reason) {
     return Pace{ratio, reason, ratio < 1.0 ? "slow: " + reason : "driving"};
   };
   switch (state) {
-    case LocalizationState::kAligning:
-      return slow(parameters_.aligning_speed_ratio, "heading not yet confirmed");
-    case LocalizationState::kMultipath: return slow(parameters_.multipath_speed_ratio, "fixes are biased");
-    case LocalizationState::kDeadReckoning:
-      return slow(parameters_.dead_reckoning_speed_ratio, "no usable fix");
+    case Trust::kAligning: return slow(parameters_.aligning_speed_ratio, "heading not yet confirmed");
+    case Trust::kMultipath: return slow(parameters_.multipath_speed_ratio, "fixes are biased");
+    case Trust::kDeadReckoning: return slow(parameters_.dead_reckoning_speed_ratio, "no usable fix");
     default: return {1.0, "", "driving"};
   }
+}
+
+bool WaypointFollower::set_off(const Eigen::Vector2d& position, Trust state) {
+  if (!first_position_) first_position_ = position;
+  const bool far_enough = (position - *first_position_).norm() >= parameters_.aligning_distance;
+  underway_ = state != Trust::kAligning || far_enough;
+  segment_start_ = position;
+  return underway_;
 }
 
 void WaypointFollower::pass_waypoints(const Eigen::Vector2d& position) {

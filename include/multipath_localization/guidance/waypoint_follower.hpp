@@ -2,13 +2,14 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "multipath_localization/core/localization_state.hpp"
 #include "multipath_localization/core/motion_command.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/pose.hpp"
+#include "multipath_localization/core/trust.hpp"
 
 namespace multipath_localization {
 
@@ -23,6 +24,7 @@ struct WaypointFollowerParameters {
   double crossing_width = 5.0;
   bool loop = true;
   double max_pose_age = 0.5;
+  double aligning_distance = 5.0;
   double aligning_speed_ratio = 0.5;
   double multipath_speed_ratio = 0.7;
   double dead_reckoning_speed_ratio = 0.5;
@@ -48,7 +50,7 @@ class WaypointFollower {
   WaypointFollower(const WaypointFollowerParameters& parameters, std::vector<Eigen::Vector2d> waypoints);
 
   /// The command for a base in map at `pose`, `pose_age` seconds old.
-  FollowerOutput command(const Pose2& pose, double pose_age, LocalizationState state);
+  FollowerOutput command(const Pose2& pose, double pose_age, Trust state);
 
   [[nodiscard]] std::size_t target() const { return target_; }  ///< index of the waypoint steered for
   [[nodiscard]] int laps() const;                               ///< rounds completed
@@ -64,8 +66,9 @@ class WaypointFollower {
     std::string status;
   };
 
-  [[nodiscard]] Pace pace_in(LocalizationState state) const;
-  [[nodiscard]] std::string reason_to_stop(const Pose2& pose, double pose_age, LocalizationState state) const;
+  [[nodiscard]] Pace pace_in(Trust state) const;
+  [[nodiscard]] std::string reason_to_stop(const Pose2& pose, double pose_age, Trust state) const;
+  bool set_off(const Eigen::Vector2d& position, Trust state);
   void pass_waypoints(const Eigen::Vector2d& position);
   [[nodiscard]] bool passed_target(const Eigen::Vector2d& position) const;
   /// Eqs. (36) and (38) of [NIS]. Departs: the error is of the heading, where Eq. (36) prints the steering
@@ -79,7 +82,8 @@ class WaypointFollower {
   Eigen::Vector2d segment_start_ = Eigen::Vector2d::Zero();
   std::size_t target_ = 0;
   std::size_t passed_ = 0;
-  bool was_aligned_ = false;
+  std::optional<Eigen::Vector2d> first_position_;  ///< in ALIGNING
+  bool underway_ = false;                          ///< the pose has been good enough to steer by
 };
 
 }  // namespace multipath_localization
