@@ -37,11 +37,11 @@ std::string json(std::optional<double> value) {
 /// A line of the table: the runs behind it and which score of theirs it is about.
 struct Line {
   std::string title;
-  std::vector<const Run*> runs;
-  Score Run::*score;
+  std::vector<const RunRecord*> runs;
+  Score RunRecord::*score;
 };
 
-using Figure = std::function<std::optional<double>(const Run&, const Score&)>;
+using Figure = std::function<std::optional<double>(const RunRecord&, const Score&)>;
 
 struct Column {
   std::string title;
@@ -51,7 +51,7 @@ struct Column {
 };
 
 Column of(const std::string& title, std::optional<double> Score::*member) {
-  return {title, 2, [member](const Run&, const Score& score) { return score.*member; }, true};
+  return {title, 2, [member](const RunRecord&, const Score& score) { return score.*member; }, true};
 }
 
 std::optional<double> scaled(std::optional<double> value, double factor) {
@@ -65,8 +65,8 @@ std::optional<double> count(std::size_t value) {
 
 const std::vector<Column>& columns() {
   static const std::vector<Column> all = {
-      {"epochs", 0, [](const Run&, const Score& s) { return count(s.epochs); }, true},
-      {"without", 0, [](const Run&, const Score& s) { return count(s.unscored); }, true},
+      {"epochs", 0, [](const RunRecord&, const Score& s) { return count(s.epochs); }, true},
+      {"without", 0, [](const RunRecord&, const Score& s) { return count(s.unscored); }, true},
       of("mean m", &Score::mean),
       of("rmse", &Score::rmse),
       of("median", &Score::median),
@@ -74,21 +74,22 @@ const std::vector<Column>& columns() {
       of("max", &Score::max),
       of("shadow", &Score::rmse_shadow),
       of("open", &Score::rmse_open),
-      {"yaw deg", 2, [](const Run&, const Score& s) { return scaled(s.heading_rmse, 180.0 / kPi); }, true},
+      {"yaw deg", 2, [](const RunRecord&, const Score& s) { return scaled(s.heading_rmse, 180.0 / kPi); },
+       true},
       of("NEES", &Score::nees_mean),
-      {"in 95 %", 0, [](const Run&, const Score& s) { return scaled(s.in_ellipse, 100.0); }, true},
-      {"waypoints", 1, [](const Run& run, const Score&) { return count(run.course.waypoints_passed); },
+      {"in 95 %", 0, [](const RunRecord&, const Score& s) { return scaled(s.in_ellipse, 100.0); }, true},
+      {"waypoints", 1, [](const RunRecord& run, const Score&) { return count(run.course.waypoints_passed); },
        false},
-      {"miss m", 2, [](const Run& run, const Score&) { return run.course.worst_miss; }, false},
-      {"cpu s", 2, [](const Run& run, const Score&) { return std::optional(run.cpu); }, false},
+      {"miss m", 2, [](const RunRecord& run, const Score&) { return run.course.worst_miss; }, false},
+      {"cpu s", 2, [](const RunRecord& run, const Score&) { return std::optional(run.cpu); }, false},
   };
   return all;
 }
 
 std::string mean_cell(const Line& line, const Column& column) {
-  if (line.score == &Run::fixes && !column.of_fixes) return "-";
+  if (line.score == &RunRecord::fixes && !column.of_fixes) return "-";
   std::vector<double> values;
-  for (const Run* run : line.runs) {
+  for (const RunRecord* run : line.runs) {
     if (const std::optional<double> value = column.figure(*run, run->*line.score)) values.push_back(*value);
   }
   if (values.empty()) return "-";
@@ -97,8 +98,8 @@ std::string mean_cell(const Line& line, const Column& column) {
 }
 
 std::string worst_cell(const Line& line) {
-  const Run* worst = nullptr;
-  for (const Run* run : line.runs) {
+  const RunRecord* worst = nullptr;
+  for (const RunRecord* run : line.runs) {
     const std::optional<double> rmse = (run->*line.score).rmse;
     if (rmse && (worst == nullptr || *rmse > *(worst->*line.score).rmse)) worst = run;
   }
@@ -106,14 +107,14 @@ std::string worst_cell(const Line& line) {
   return number(*(worst->*line.score).rmse, 2) + " (" + std::to_string(worst->seed) + ")";
 }
 
-std::vector<Line> lines(const std::vector<Run>& runs) {
-  std::vector<Line> all = {{"(fixes as they are)", {}, &Run::fixes}};
-  for (const Run& run : runs) {
+std::vector<Line> lines(const std::vector<RunRecord>& runs) {
+  std::vector<Line> all = {{"(fixes as they are)", {}, &RunRecord::fixes}};
+  for (const RunRecord& run : runs) {
     if (!run.failure.empty()) continue;
     const auto known =
         std::find_if(all.begin() + 1, all.end(), [&](const Line& l) { return l.title == run.estimator; });
     if (known == all.end()) {
-      all.push_back({run.estimator, {&run}, &Run::score});
+      all.push_back({run.estimator, {&run}, &RunRecord::score});
     } else {
       known->runs.push_back(&run);
     }
@@ -140,11 +141,11 @@ std::string side_by_side(const std::vector<TextColumn>& text) {
 
 }  // namespace
 
-std::string to_json(const std::vector<Run>& runs) {
+std::string to_json(const std::vector<RunRecord>& runs) {
   std::ostringstream out;
   out << "[";
   const char* separator = "\n";
-  for (const Run& run : runs) {
+  for (const RunRecord& run : runs) {
     if (!run.failure.empty()) continue;
     const Score& s = run.score;
     out << separator << "  {\"source\": " << quoted(run.source)
@@ -161,7 +162,7 @@ std::string to_json(const std::vector<Run>& runs) {
   return out.str();
 }
 
-std::string to_table(const std::vector<Run>& runs) {
+std::string to_table(const std::vector<RunRecord>& runs) {
   const std::vector<Line> rows = lines(runs);
   std::vector<TextColumn> text = {{"estimator"}, {"runs"}};
   for (const Line& line : rows) {

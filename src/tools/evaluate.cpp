@@ -182,8 +182,8 @@ void plot(const std::string& file, const std::string& trace) {
   if (status != 0) throw std::runtime_error("cannot draw " + file);
 }
 
-std::vector<Run> make_runs(const Batch& batch, const Stream& stream,
-                           const std::vector<std::string>& parameters) {
+std::vector<RunRecord> make_runs(const Batch& batch, const Stream& stream,
+                                 const std::vector<std::string>& parameters) {
   ProgressBar bar(batch.estimators.size() * batch.seeds);
   return run_batch(batch, stream, parameters, [&](std::size_t run, double part) { bar.update(run, part); });
 }
@@ -195,12 +195,12 @@ int evaluate(Options options) {
   if (const auto* drive = std::get_if<Drive>(&stream)) {
     for (const std::string& notice : drive->notices) std::cerr << title << ": " << notice << "\n";
   }
-  const std::vector<Run> runs = make_runs(options.batch, stream, parameters);
+  const std::vector<RunRecord> runs = make_runs(options.batch, stream, parameters);
   std::cout << to_table(runs);
   if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
   if (!options.plot_file.empty()) plot(options.plot_file, to_trace(title, stream, runs));
   int failed = 0;
-  for (const Run& run : runs) {
+  for (const RunRecord& run : runs) {
     if (run.failure.empty()) continue;
     std::cerr << run.estimator << ", seed " << run.seed << ", did not end: " << run.failure << "\n";
     ++failed;
