@@ -77,12 +77,28 @@ TEST(RunDrive, CarriesTheEstimateToTruthBetweenOdometry) {
   EXPECT_FALSE(epochs[1].valid) << "six seconds after the last odometry";
 }
 
-TEST(RunDrive, RefusesAKnownStartThatTruthDoesNotTell) {
+TEST(RunDrive, AKnownStartWithoutHeadingIsTheDirectionOfTravel) {
   Drive drive = straight_drive(3);
-  for (TruthSample& sample : drive.truth) sample.has_yaw = false;
+  for (TruthSample& sample : drive.truth) {
+    sample.has_yaw = false;
+    sample.base_in_map = {0.0, sample.base_in_map.x, 0.0};
+  }
   RunSettings settings;
   settings.known_start = true;
-  EXPECT_THROW(run_drive(drive, dead_reckoning(), settings), RunError);
+  const std::vector<Epoch> epochs = run_drive(drive, dead_reckoning(), settings);
+  EXPECT_NEAR(epochs.back().estimate.y, 3.0, 1e-12);
+  EXPECT_NEAR(epochs.back().estimate.yaw, 0.5 * kPi, 1e-12);
+}
+
+TEST(RunDrive, RefusesAKnownStartThatTruthDoesNotTell) {
+  RunSettings settings;
+  settings.known_start = true;
+  Drive standing = straight_drive(3);
+  for (TruthSample& sample : standing.truth) sample = {sample.stamp, {}, false, std::nullopt};
+  EXPECT_THROW(run_drive(standing, dead_reckoning(), settings), RunError);
+  Drive without_truth = straight_drive(3);
+  without_truth.truth.clear();
+  EXPECT_THROW(run_drive(without_truth, dead_reckoning(), settings), RunError);
 }
 
 TEST(EpochOf, RefusesAnEstimateThatIsNotFinite) {
