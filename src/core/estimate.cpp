@@ -1,6 +1,6 @@
 #include "multipath_localization/core/estimate.hpp"
 
-#include "multipath_localization/core/localization_state.hpp"
+#include "multipath_localization/core/trust.hpp"
 
 namespace multipath_localization {
 
@@ -19,18 +19,19 @@ std::string_view to_string(Reason reason) {
     case Reason::kOldStamp: return "old stamp";
     case Reason::kNotStarted: return "not started";
     case Reason::kInvalidFrame: return "invalid frame";
+    case Reason::kTooFast: return "too fast";
   }
   return "unknown";
 }
 
-std::string_view to_string(LocalizationState state) {
+std::string_view to_string(Trust state) {
   switch (state) {
-    case LocalizationState::kNotReady: return "NOT_READY";
-    case LocalizationState::kAligning: return "ALIGNING";
-    case LocalizationState::kGood: return "GOOD";
-    case LocalizationState::kMultipath: return "MULTIPATH";
-    case LocalizationState::kDeadReckoning: return "DEAD_RECKONING";
-    case LocalizationState::kLost: return "LOST";
+    case Trust::kNotReady: return "NOT_READY";
+    case Trust::kAligning: return "ALIGNING";
+    case Trust::kGood: return "GOOD";
+    case Trust::kMultipath: return "MULTIPATH";
+    case Trust::kDeadReckoning: return "DEAD_RECKONING";
+    case Trust::kLost: return "LOST";
   }
   return "unknown";
 }

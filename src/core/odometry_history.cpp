@@ -13,7 +13,7 @@ void OdometryHistory::add(const OdometryIncrement& increment) {
 std::optional<Pose2> OdometryHistory::base_then_in_base_now(double stamp) const {
   const auto node = std::lower_bound(nodes_.begin(), nodes_.end(), stamp,
                                      [](const Node& n, double t) { return n.stamp < t; });
-  if (node == nodes_.end() || stamp < node->stamp - node->increment.duration) return std::nullopt;
+  if (node == nodes_.end() || !(stamp >= node->stamp - node->increment.duration)) return std::nullopt;
   OdometryIncrement rest = node->increment;
   rest.duration = node->stamp - stamp;
   const Pose2 then_in_odom = node->base_in_odom * inverse(displacement(rest));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -24,11 +25,25 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
+/// The shortest text that YAML reads back as the same number.
 std::string text(double value) {
+  if (std::isnan(value)) return ".nan";
+  if (std::isinf(value)) return value > 0.0 ? ".inf" : "-.inf";
   std::ostringstream out;
-  out.precision(12);
-  out << value;
+  for (int digits = 6; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+    out.str("");
+    out.precision(digits);
+    out << value;
+    if (std::strtod(out.str().c_str(), nullptr) == value) break;
+  }
   return out.str();
+}
+
+/// Quoted where YAML would not read it as that text otherwise.
+std::string text(const std::string& value) {
+  YAML::Emitter out;
+  out << value;
+  return out.c_str();
 }
 
 std::string interval(Range range) { return text(range.low) + ".." + text(range.high); }
@@ -42,7 +57,7 @@ std::string joined(const std::vector<std::string>& choices) {
 class Loader : public ParameterVisitor {
  public:
   Loader(const YAML::Node& source, std::string path) : source_(source), path_(std::move(path)) {
-    if (source_ && !source_.IsNull() && !source_.IsMap()) throw ParameterError(name("") + "is not a map");
+    if (source_ && !source_.IsNull() && !source_.IsMap()) throw ParameterError(name("") + " is not a map");
   }
 
   void operator()(const std::string& key, double& value, Range range, std::string_view,
@@ -50,7 +65,8 @@ class Loader : public ParameterVisitor {
     if (const YAML::Node node = find(key)) value = number<double>(node, key, range);
   }
 
-  void operator()(const std::string& key, int& value, Range range, std::string_view, std::string_view) override {
+  void operator()(const std::string& key, int& value, Range range, std::string_view,
+                  std::string_view) override {
     if (const YAML::Node node = find(key)) value = number<int>(node, key, range);
   }
 
@@ -79,9 +95,12 @@ class Loader : public ParameterVisitor {
 
   void finish() const {
     if (!source_ || source_.IsNull()) return;
+    std::set<std::string> given;
     for (const auto& entry : source_) {
-      const auto key = entry.first.as<std::string>();
+      if (!entry.first.IsScalar()) throw ParameterError(name("") + " has a key that is not a text");
+      const std::string& key = entry.first.Scalar();
       if (known_.count(key) == 0) throw ParameterError("unknown parameter " + name(key) + nearest(key));
+      if (!given.insert(key).second) throw ParameterError(name(key) + " is given twice");
     }
   }
 
@@ -100,14 +119,15 @@ class Loader : public ParameterVisitor {
     resize(0);
     resize(node.size());
     for (std::size_t i = 0; i < node.size(); ++i) {
-      load_fields(node[i], [&](ParameterVisitor& field) { fields(i, field); },
-                  name(key) + "[" + std::to_string(i) + "]");
+      load_fields(
+          node[i], [&](ParameterVisitor& field) { fields(i, field); },
+          name(key) + "[" + std::to_string(i) + "]");
     }
   }
 
  private:
   [[nodiscard]] std::string name(const std::string& key) const {
-    return path_.empty() ? key : path_ + "/" + key;
+    return path_.empty() || key.empty() ? path_ + key : path_ + "/" + key;
   }
 
   /// The entry of that name, or a node that tests false.
@@ -168,7 +188,7 @@ class Describer : public ParameterVisitor {
 
   void operator()(const std::string& key, std::string& value, const std::vector<std::string>& choices,
                   std::string_view meaning) override {
-    line(key, value.empty() ? "\"\"" : value, choices.empty() ? "text" : joined(choices), meaning);
+    line(key, text(value), choices.empty() ? "text" : joined(choices), meaning);
   }
 
   void operator()(const std::string& key, std::vector<double>& value, Range range, std::string_view unit,

@@ -8,7 +8,6 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr int kRounds = 12;
 constexpr std::array<int, 8> kRotationEven = {10, 11, 13, 23, 6, 17, 25, 18};
 constexpr std::array<int, 8> kRotationOdd = {26, 21, 27, 5, 20, 11, 10, 20};
 constexpr std::uint32_t kParity = 0x1BD11BDAU;
@@ -22,13 +21,14 @@ void mix(std::uint32_t& a, std::uint32_t& b, int bits) {
 
 }  // namespace
 
+template <int Rounds>
 std::array<std::uint32_t, 4> threefry4x32(const std::array<std::uint32_t, 4>& counter,
                                           const std::array<std::uint32_t, 4>& key) {
   const std::array<std::uint32_t, 5> schedule = {key[0], key[1], key[2], key[3],
                                                  kParity ^ key[0] ^ key[1] ^ key[2] ^ key[3]};
   std::array<std::uint32_t, 4> x{};
   for (std::size_t i = 0; i < 4; ++i) x[i] = counter[i] + schedule[i];
-  for (std::size_t round = 0; round < kRounds; ++round) {
+  for (std::size_t round = 0; round < Rounds; ++round) {
     const bool swapped = round % 2 == 1;
     mix(x[0], swapped ? x[3] : x[1], kRotationEven[round % 8]);
     mix(x[2], swapped ? x[1] : x[3], kRotationOdd[round % 8]);
@@ -40,9 +40,14 @@ std::array<std::uint32_t, 4> threefry4x32(const std::array<std::uint32_t, 4>& co
   return x;
 }
 
+template std::array<std::uint32_t, 4> threefry4x32<12>(const std::array<std::uint32_t, 4>& counter,
+                                                       const std::array<std::uint32_t, 4>& key);
+template std::array<std::uint32_t, 4> threefry4x32<20>(const std::array<std::uint32_t, 4>& counter,
+                                                       const std::array<std::uint32_t, 4>& key);
+
 std::uint32_t RandomStream::word() {
   if (used_ == 4) {
-    words_ = threefry4x32({particle_, step_, block_++, 0},
+    words_ = threefry4x32<12>({particle_, step_, block_++, 0},
                           {static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32), 0, 0});
     used_ = 0;
   }

@@ -8,10 +8,10 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr std::size_t kSeeds = 24;       ///< heaviest hypotheses tried as centre
-constexpr double kMinReach = 2.0;        ///< [m]
+constexpr std::size_t kSeeds = 24;  ///< heaviest hypotheses tried as centre
+constexpr double kMinReach = 2.0;   ///< [m]
 constexpr double kReachSigmas = 2.0;
-constexpr double kHeadingReach = 0.6;    ///< [rad]
+constexpr double kHeadingReach = 0.6;  ///< [rad]
 
 /// Whether a hypothesis agrees with the pose of another, of which it is known how uncertain it is.
 class Agreement {
@@ -71,14 +71,16 @@ DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles) {
     if (!agrees(particle.belief)) continue;
     const double share = particle.weight / cluster.mass;
     belief.mean += share * particle.belief.mean;
-    heading += share * Eigen::Vector2d(std::cos(particle.belief.mean(kYaw)), std::sin(particle.belief.mean(kYaw)));
+    heading +=
+        share * Eigen::Vector2d(std::cos(particle.belief.mean(kYaw)), std::sin(particle.belief.mean(kYaw)));
     if (particle.mode.shadow) cluster.shadow += share;
   }
   belief.mean(kYaw) = std::atan2(heading.y(), heading.x());
   for (const BeliefParticle& particle : particles) {
     const Belief::Vector d = deviation(particle.belief, belief.mean);
     cluster.overall_position_covariance +=
-        particle.weight * (particle.belief.covariance.topLeftCorner<2, 2>() + d.head<2>() * d.head<2>().transpose());
+        particle.weight *
+        (particle.belief.covariance.topLeftCorner<2, 2>() + d.head<2>() * d.head<2>().transpose());
     if (!agrees(particle.belief)) continue;
     belief.covariance += particle.weight / cluster.mass * (particle.belief.covariance + d * d.transpose());
   }

@@ -8,10 +8,10 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kMaxSlip = 3.0;            ///< distance that slip can have faked at most [m]
-constexpr double kMaxSlipInterval = 2.0;    ///< never explain an outage by slip [s]
-constexpr double kStandingRateFactor = 0.1; ///< shadows come and go slower for a robot that stands
-constexpr double kHeadingGateSquared = 9.0; ///< no heading restart within 3 sigma of the heading held
+constexpr double kMaxSlip = 3.0;             ///< distance that slip can have faked at most [m]
+constexpr double kMaxSlipInterval = 2.0;     ///< never explain an outage by slip [s]
+constexpr double kStandingRateFactor = 0.1;  ///< shadows come and go slower for a robot that stands
+constexpr double kHeadingGateSquared = 9.0;  ///< no heading restart within 3 sigma of the heading held
 
 double square(double x) { return x * x; }
 
@@ -63,14 +63,17 @@ FixCandidates FixModes::candidates(const FixMode& mode, const Belief& belief) co
     return one;
   }
   const double shadow_dt = interval_.moving ? dt : kStandingRateFactor * dt;
-  const double into_shadow = mode.shadow ? 1.0 - chance(c.shadow_exit_rate, shadow_dt)
-                                         : chance(c.shadow_entry_rate, shadow_dt);
-  const double open_noisy = mode.noisy ? 1.0 - chance(c.open_noisy_exit_rate, dt) : chance(c.open_noisy_entry_rate, dt);
+  const double into_shadow =
+      mode.shadow ? 1.0 - chance(c.shadow_exit_rate, shadow_dt) : chance(c.shadow_entry_rate, shadow_dt);
+  const double open_noisy =
+      mode.noisy ? 1.0 - chance(c.open_noisy_exit_rate, dt) : chance(c.open_noisy_entry_rate, dt);
   const double shadow_noisy =
       mode.noisy ? 1.0 - chance(c.shadow_noisy_exit_rate, dt) : chance(c.shadow_noisy_entry_rate, dt);
 
   const bool may_slip = interval_.moving && dt < kMaxSlipInterval && c.slip_rate > 0.0;
-  const double slip = !may_slip ? 0.0 : mode.slipping ? std::exp(-dt * interval_.slip_end_rate) : chance(c.slip_rate, dt);
+  const double slip = !may_slip       ? 0.0
+                      : mode.slipping ? std::exp(-dt * interval_.slip_end_rate)
+                                      : chance(c.slip_rate, dt);
   const double position = interval_.moving ? chance(interval_.position_restart_rate, dt) : 0.0;
   const double heading = interval_.moving ? heading_restart_probability(belief) : 0.0;
   const double usual = std::max(1e-9, 1.0 - c.outlier_probability - position - heading - slip);
@@ -100,7 +103,8 @@ FixCandidates FixModes::candidates(const FixMode& mode, const Belief& belief) co
 }
 
 Eigen::Matrix2d FixModes::extra_position_covariance(const FixCandidate& candidate, double yaw) const {
-  if (candidate.restart != Restart::kNone) return square(interval_.restart_sigma) * Eigen::Matrix2d::Identity();
+  if (candidate.restart != Restart::kNone)
+    return square(interval_.restart_sigma) * Eigen::Matrix2d::Identity();
   if (!candidate.mode.slipping) return Eigen::Matrix2d::Zero();
   const Eigen::Vector2d along(std::cos(yaw), std::sin(yaw));
   return square(std::min(interval_.distance, kMaxSlip)) * along * along.transpose();
@@ -120,7 +124,8 @@ double FixModes::log_likelihood(const FixCandidate& candidate, const FixPredicti
 }
 
 void FixModes::apply(const FixCandidate& candidate, const Eigen::Vector2d& fix,
-                     const Eigen::Vector2d& antenna_in_base, const OdometryNoise& odometry, Belief& belief) const {
+                     const Eigen::Vector2d& antenna_in_base, const OdometryNoise& odometry,
+                     Belief& belief) const {
   if (candidate.keeps_bias) {
     belief.decay_bias(candidate.bias_factor, candidate.bias_variance);
   } else {

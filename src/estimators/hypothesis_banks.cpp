@@ -9,8 +9,8 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kMinLogWeight = -600.0;     ///< keeps every hypothesis representable
-constexpr double kCountTolerance = 0.15;     ///< of all particles, before a bank is resized
+constexpr double kMinLogWeight = -600.0;  ///< keeps every hypothesis representable
+constexpr double kCountTolerance = 0.15;  ///< of all particles, before a bank is resized
 
 std::size_t draw(const std::vector<double>& cumulative, double u) {
   const auto place = std::upper_bound(cumulative.begin(), cumulative.end(), u * cumulative.back());
@@ -73,7 +73,8 @@ PerClass class_weights(const std::vector<BeliefParticle>& particles) {
 
 ClassCounts class_counts(const PerClass& weights, std::size_t count, double floor) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const auto heaviest = static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+  const auto heaviest =
+      static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
   const auto least = static_cast<std::size_t>(std::ceil(floor * static_cast<double>(count)));
   ClassCounts counts{};
   std::size_t used = 0;
@@ -87,8 +88,8 @@ ClassCounts class_counts(const PerClass& weights, std::size_t count, double floo
   return counts;
 }
 
-void mix_classes(std::vector<BeliefParticle>& particles, const ClassRates& rates, const ReceiverClasses& classes,
-                 double dt, RandomStream& random) {
+void mix_classes(std::vector<BeliefParticle>& particles, const ClassRates& rates,
+                 const ReceiverClasses& classes, double dt, RandomStream& random) {
   const PerClass before = class_weights(particles);
   std::array<PerClass, kReceiverClassCount> flow{};
   PerClass after = before;
@@ -130,7 +131,8 @@ void mix_classes(std::vector<BeliefParticle>& particles, const ClassRates& rates
   }
 }
 
-void reweigh(std::vector<BeliefParticle>& particles, const std::vector<double>& log_likelihood, double exponent) {
+void reweigh(std::vector<BeliefParticle>& particles, const std::vector<double>& log_likelihood,
+             double exponent) {
   PerClass highest;
   highest.fill(-std::numeric_limits<double>::infinity());
   std::vector<double> log_weight(particles.size());
@@ -158,7 +160,8 @@ void reweigh(std::vector<BeliefParticle>& particles, const std::vector<double>& 
   for (BeliefParticle& particle : particles) particle.weight /= total;
 }
 
-void resample_banks(std::vector<BeliefParticle>& particles, double floor, double ess_fraction, RandomStream& random) {
+void resample_banks(std::vector<BeliefParticle>& particles, double floor, double ess_fraction,
+                    RandomStream& random) {
   const auto banks = banks_of(particles);
   const ClassCounts counts = class_counts(class_weights(particles), particles.size(), floor);
   const double tolerance = kCountTolerance * static_cast<double>(particles.size());

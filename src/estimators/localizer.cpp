@@ -16,7 +16,8 @@ OdometryIncrement lasting(OdometryIncrement increment, double start, double end)
 }  // namespace
 
 void LocalizerParameters::fields(ParameterVisitor& field) {
-  field("history_length", history_length, {0.1, 60.0}, "s", "odometry kept, so that fixes this late still count");
+  field("history_length", history_length, {0.1, 60.0}, "s",
+        "odometry kept, so that fixes this late still count");
   field("future_tolerance", future_tolerance, {0.0, 10.0}, "s",
         "a fix stamped further ahead of the odometry than this is refused");
   field("dead_reckoning_after", dead_reckoning_after, {0.1, 600.0}, "s",
@@ -87,25 +88,25 @@ void Localizer::apply(const Measurement& measurement) {
 
 std::vector<MeasurementReport> Localizer::take_reports() { return std::exchange(reports_, {}); }
 
-LocalizationState Localizer::state() const {
+Trust Localizer::state() const {
   const PoseEstimate estimate = estimator_->estimate();
-  if (!has_odometry_ || !estimate.valid) return LocalizationState::kNotReady;
-  if (!estimate.aligned) return LocalizationState::kAligning;
+  if (!has_odometry_ || !estimate.valid) return Trust::kNotReady;
+  if (!estimate.aligned) return Trust::kAligning;
   const double variance = estimate.position_covariance_overall.trace();
-  if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return LocalizationState::kLost;
-  if (now_ - last_accepted_ > parameters_.dead_reckoning_after) return LocalizationState::kDeadReckoning;
+  if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return Trust::kLost;
+  if (now_ - last_accepted_ > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
   const bool biased = estimate.shadow_probability > 0.5 || estimate.canyon_probability > 0.5;
-  return biased ? LocalizationState::kMultipath : LocalizationState::kGood;
+  return biased ? Trust::kMultipath : Trust::kGood;
 }
 
 std::string Localizer::state_reason() const {
   switch (state()) {
-    case LocalizationState::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
-    case LocalizationState::kAligning: return "heading or position not yet confirmed, drive on under open sky";
-    case LocalizationState::kGood: return "fixes agree with odometry";
-    case LocalizationState::kMultipath: return "fixes are biased, the bias is being tracked";
-    case LocalizationState::kDeadReckoning: return "no usable fix, running on odometry";
-    case LocalizationState::kLost: return "position too uncertain to drive by";
+    case Trust::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
+    case Trust::kAligning: return "heading or position not yet confirmed, drive on under open sky";
+    case Trust::kGood: return "fixes agree with odometry";
+    case Trust::kMultipath: return "fixes are biased, the bias is being tracked";
+    case Trust::kDeadReckoning: return "no usable fix, running on odometry";
+    case Trust::kLost: return "position too uncertain to drive by";
   }
   return "";
 }

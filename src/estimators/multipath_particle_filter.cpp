@@ -9,11 +9,13 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kMaxFlush = 1.2;          ///< odometry is linearised over at most this long [s]
-constexpr double kMovedSinceFix = 0.02;    ///< less is a standing robot [m]
-constexpr double kRingSpacing = 0.6;       ///< 1 sigma of a start heading, in spacings of the ring
-constexpr double kMinStartYawSigma = 0.05; ///< [rad]
-constexpr std::uint32_t kMixing = 0xFFFFFFFFU;      ///< random streams beside those of the particles
+constexpr double kMaxFlush = 1.2;               ///< odometry is linearised over at most this long [s]
+constexpr double kMovedSinceFix = 0.02;         ///< less is a standing robot [m]
+constexpr double kRingSpacing = 0.6;            ///< 1 sigma of a start heading, in spacings of the ring
+constexpr double kMinStartYawSigma = 0.05;      ///< [rad]
+constexpr double kSettledProbability = 0.95;    ///< of the canyon, and of one cluster in it
+constexpr double kSettledYawSigma = 0.35;       ///< of the heading there [rad]
+constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
 
 double square(double x) { return x * x; }
@@ -81,7 +83,8 @@ void MultipathParticleFilter::spread(Place place) {
     const std::size_t k = particle.receiver = order[i];
     const ReceiverClass& receiver = parameters_.classes[k];
     particle.weight = 1.0 / static_cast<double>(count);
-    particle.mode.shadow = RandomStream(seed_, step_, static_cast<std::uint32_t>(i)).uniform() < receiver.shadow_at_start;
+    particle.mode.shadow =
+        RandomStream(seed_, step_, static_cast<std::uint32_t>(i)).uniform() < receiver.shadow_at_start;
     particle.mode.noisy = receiver.always_shadow;
     const double sigma = particle.mode.shadow ? receiver.shadow_bias_sigma : receiver.open_bias_sigma;
     particle.belief.renew_bias(sigma * sigma);
@@ -180,14 +183,14 @@ Innovation MultipathParticleFilter::innovation(const GnssFix& fix) const {
   Innovation result;
   result.reason = Reason::kAccepted;
   result.innovation = fix.position - prediction.antenna - prediction.bias;
-  result.covariance =
-      prediction.antenna_covariance + prediction.cross_covariance + prediction.bias_covariance +
-      square(parameters_.classes.street.quiet_sigma) * Eigen::Matrix2d::Identity();
+  result.covariance = prediction.antenna_covariance + prediction.cross_covariance +
+                      prediction.bias_covariance +
+                      square(parameters_.classes.street.quiet_sigma) * Eigen::Matrix2d::Identity();
   result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
   return result;
 }
 
-FixInterval MultipathParticleFilter::interval(const ReceiverClass& receiver, const GnssFix&, double duration) const {
+FixInterval MultipathParticleFilter::interval(const ReceiverClass& receiver, double duration) const {
   FixInterval result;
   result.duration = duration;
   result.distance = distance_since_fix_;
@@ -204,14 +207,27 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
   const double duration = std::max(0.0, now_ - last_fix_);
   const bool moving = distance_since_fix_ > kMovedSinceFix;
   const double class_time = moving ? duration : 0.0;
-  if (moving) alignment_.add(Eigen::Vector2d(fix.position - rotation(cluster_.belief.mean(kYaw)) * fix.antenna_in_base));
-  if (moving) update_confirmation(duration);
-
+  if (moving) {
+    const Eigen::Vector2d lever = rotation(cluster_.belief.mean(kYaw)) * fix.antenna_in_base;
+    alignment_.add(Eigen::Vector2d(fix.position - lever));
+    update_confirmation(duration);
+  }
   RandomStream mixing(seed_, step_, kMixing);
   mix_classes(particles_, rates_, parameters_.classes, class_time, mixing);
+  const std::vector<double> log_likelihood = sample_modes(fix, duration);
+  reweigh(particles_, log_likelihood, std::min(1.0, class_time / parameters_.class_evidence_time));
+  refresh_cluster();
+  RandomStream resampling(seed_, step_, kResampling);
+  resample_banks(particles_, parameters_.class_floor, parameters_.ess_fraction, resampling);
+  ++step_;
+  last_fix_ = now_;
+  distance_since_fix_ = 0.0;
+}
 
+std::vector<double> MultipathParticleFilter::sample_modes(const GnssFix& fix, double duration) {
   std::array<FixInterval, kReceiverClassCount> intervals;
-  for (std::size_t k = 0; k < kReceiverClassCount; ++k) intervals[k] = interval(parameters_.classes[k], fix, duration);
+  for (std::size_t k = 0; k < kReceiverClassCount; ++k)
+    intervals[k] = interval(parameters_.classes[k], duration);
   std::vector<double> log_likelihood(particles_.size());
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     BeliefParticle& particle = particles_[i];
@@ -222,8 +238,9 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
     log_weight.fill(-std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < kFixCandidates; ++k) {
       if (candidates[k].prior <= 0.0) continue;
-      log_weight[k] = std::log(candidates[k].prior) +
-                      modes.log_likelihood(candidates[k], prediction, particle.belief.mean(kYaw), fix.position);
+      log_weight[k] =
+          std::log(candidates[k].prior) +
+          modes.log_likelihood(candidates[k], prediction, particle.belief.mean(kYaw), fix.position);
     }
     RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
     const auto [chosen, evidence] = draw(log_weight, random.uniform());
@@ -231,13 +248,7 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
     modes.apply(candidates[chosen], fix.position, fix.antenna_in_base, parameters_.odometry, particle.belief);
     particle.mode = candidates[chosen].mode;
   }
-  reweigh(particles_, log_likelihood, std::min(1.0, class_time / parameters_.class_evidence_time));
-  refresh_cluster();
-  RandomStream resampling(seed_, step_, kResampling);
-  resample_banks(particles_, parameters_.class_floor, parameters_.ess_fraction, resampling);
-  ++step_;
-  last_fix_ = now_;
-  distance_since_fix_ = 0.0;
+  return log_likelihood;
 }
 
 void MultipathParticleFilter::update_confirmation(double duration) {
@@ -245,8 +256,14 @@ void MultipathParticleFilter::update_confirmation(double duration) {
   for (const BeliefParticle& particle : particles_) {
     if (!particle.mode.shadow && !particle.mode.noisy) open_quiet += particle.weight;
   }
-  const bool confirms = open_quiet > parameters_.confirm_probability;
-  confirmed_for_ = std::max(0.0, confirmed_for_ + (confirms ? duration : -duration));
+  const bool settled = class_probability_[kCanyon] > kSettledProbability &&
+                       cluster_.mass > kSettledProbability &&
+                       cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
+  const auto count = [&](double& time, bool holds) {
+    time = std::max(0.0, time + (holds ? duration : -duration));
+  };
+  count(confirmed_for_, open_quiet > parameters_.confirm_probability);
+  count(settled_for_, settled);
   confirmed_ = confirmed_ || confirmed_for_ > parameters_.confirm_time;
 }
 
@@ -263,7 +280,7 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   const Belief belief = current_belief();
   const Eigen::Matrix2d floor = square(parameters_.position_sigma_floor) * Eigen::Matrix2d::Identity();
   result.valid = true;
-  result.aligned = confirmed_;
+  result.aligned = confirmed_ || settled_for_ > parameters_.confirm_time;
   result.pose = belief.pose();
   result.covariance = belief.covariance.topLeftCorner<3, 3>();
   result.covariance.topLeftCorner<2, 2>() += floor;
@@ -283,7 +300,9 @@ std::vector<Hypothesis> MultipathParticleFilter::hypotheses() const {
   for (const BeliefParticle& particle : particles_) {
     Belief belief = particle.belief;
     belief.propagate(odometry_, parameters_.odometry);
-    const Mode mode = particle.receiver == kCanyon ? Mode::kCanyon : particle.mode.shadow ? Mode::kShadow : Mode::kOpen;
+    const Mode mode = particle.receiver == kCanyon ? Mode::kCanyon
+                      : particle.mode.shadow       ? Mode::kShadow
+                                                   : Mode::kOpen;
     all.push_back({belief.pose(), particle.weight, mode});
   }
   return all;

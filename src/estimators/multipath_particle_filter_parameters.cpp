@@ -20,11 +20,14 @@ ClassRates ClassRateParameters::rates() const {
 
 void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
   field("particles", particles, {20, 100000}, "1", "hypotheses, each with a Kalman filter of its own");
-  field("ess_fraction", ess_fraction, {0.0, 1.0}, "1", "resample below this effective share of a class's hypotheses");
-  field("class_floor", class_floor, {0.0, 0.3}, "1", "least share of the hypotheses that a receiver class keeps");
+  field("ess_fraction", ess_fraction, {0.0, 1.0}, "1",
+        "resample below this effective share of a class's hypotheses");
+  field("class_floor", class_floor, {0.0, 0.3}, "1",
+        "least share of the hypotheses that a receiver class keeps");
   field("class_evidence_time", class_evidence_time, {0.01, 1000.0}, "s",
         "fixes within this time count as one piece of evidence about the receiver class");
-  field("restart_sigma", restart_sigma, {0.1, 100.0}, "m", "uncertainty of position at a restart from the fixes");
+  field("restart_sigma", restart_sigma, {0.1, 100.0}, "m",
+        "uncertainty of position at a restart from the fixes");
   field("heading_restart_rate", heading_restart_rate, {0.0, 1.0}, "1/s",
         "rate of restarts of the heading from the fixes once the pose is confirmed");
   field("slip_end_rate", slip_end_rate, {0.01, 100.0}, "1/s", "rate of wheel slip ending");

@@ -5,12 +5,15 @@
 namespace multipath_localization {
 
 void OdometryNoise::fields(ParameterVisitor& field) {
-  field("distance", distance, {1e-6, 1.0}, "m/sqrt(m)", "noise of the distance travelled, per root of a metre");
+  field("distance", distance, {1e-6, 1.0}, "m/sqrt(m)",
+        "noise of the distance travelled, per root of a metre");
   field("yaw", yaw, {1e-6, 1.0}, "rad/sqrt(s)", "noise of the heading while moving, per root of a second");
   field("scale_sigma", scale_sigma, {0.0, 0.5}, "1", "1 sigma of the unknown speed scale error at start");
-  field("gyro_bias_sigma", gyro_bias_sigma, {0.0, 0.5}, "rad/s", "1 sigma of the unknown yaw rate bias at start");
+  field("gyro_bias_sigma", gyro_bias_sigma, {0.0, 0.5}, "rad/s",
+        "1 sigma of the unknown yaw rate bias at start");
   field("scale_walk", scale_walk, {0.0, 0.1}, "1/sqrt(s)", "random walk of the speed scale while moving");
-  field("gyro_bias_walk", gyro_bias_walk, {0.0, 0.1}, "rad/s/sqrt(s)", "random walk of the yaw rate bias while moving");
+  field("gyro_bias_walk", gyro_bias_walk, {0.0, 0.1}, "rad/s/sqrt(s)",
+        "random walk of the yaw rate bias while moving");
   field("still_speed", still_speed, {0.0, 1.0}, "m/s", "below this measured speed the robot stands still");
 }
 

@@ -8,8 +8,8 @@ namespace multipath_localization {
 namespace {
 
 constexpr std::size_t kMinPairs = 4;
-constexpr double kMinCoverage = 0.8;         ///< of the length, before it says anything
-constexpr double kMaxVariance = 0.15;        ///< [rad^2]
+constexpr double kMinCoverage = 0.8;   ///< of the length, before it says anything
+constexpr double kMaxVariance = 0.15;  ///< [rad^2]
 constexpr double kMinSpreadToResidual = 2.0;
 
 }  // namespace
@@ -54,7 +54,8 @@ std::optional<AlignedHeading> RigidAlignment::heading() const {
     map_spread += q.squaredNorm();
   }
   if (odom_spread <= 0.0) return std::nullopt;
-  const double residual = std::max(0.0, odom_spread + map_spread - 2.0 * std::hypot(dot, cross)) / (2.0 * count);
+  const double residual =
+      std::max(0.0, odom_spread + map_spread - 2.0 * std::hypot(dot, cross)) / (2.0 * count);
   const double variance = 2.0 * std::max(residual, fix_sigma_ * fix_sigma_) / odom_spread + floor_;
   if (odom_spread / count <= kMinSpreadToResidual * residual || variance >= kMaxVariance) return std::nullopt;
   return AlignedHeading{wrap_angle(std::atan2(cross, dot) + base_in_odom_.yaw), variance};

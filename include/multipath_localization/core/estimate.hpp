@@ -21,7 +21,8 @@ enum class Reason {
   kFutureStamp,        ///< stamp ahead of the odometry by more than the tolerance
   kOldStamp,           ///< stamp older than the odometry history reaches
   kNotStarted,         ///< no odometry yet
-  kInvalidFrame,       ///< frame unknown to tf
+  kInvalidFrame,       ///< frame unknown to tf, or not one this input may have
+  kTooFast,            ///< speed or yaw rate no robot of this kind reaches
 };
 
 /// "accepted", "not finite", ...: one stable text per reason.
@@ -30,9 +31,9 @@ std::string_view to_string(Reason reason);
 /// Outcome of one update.
 struct Innovation {
   Reason reason = Reason::kUnused;
-  Eigen::Vector2d innovation = Eigen::Vector2d::Zero();    ///< measured - predicted antenna, map frame [m]
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();    ///< predicted covariance S of it [m^2]
-  double nis = 0.0;                                        ///< normalised innovation squared, 2 dof
+  Eigen::Vector2d innovation = Eigen::Vector2d::Zero();  ///< measured - predicted antenna, map frame [m]
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< predicted covariance S of it [m^2]
+  double nis = 0.0;                                      ///< normalised innovation squared, 2 dof
 
   [[nodiscard]] bool accepted() const { return reason == Reason::kAccepted; }
 };
@@ -50,10 +51,11 @@ struct PoseEstimate {
   double stamp = 0.0;    ///< [s]
   Pose2 pose;            ///< base in map: mean of the dominant cluster, never a mean between clusters
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of x, y, yaw within the cluster [m, rad]
-  double dominance = 1.0;  ///< probability mass of the dominant cluster
-  Eigen::Matrix2d position_covariance_overall = Eigen::Matrix2d::Identity();  ///< all clusters, about `pose` [m^2]
-  double shadow_probability = 0.0;  ///< of the mode "fixes are biased"
-  double canyon_probability = 0.0;  ///< of the receiver class "deep canyon"
+  double dominance = 1.0;                                    ///< probability mass of the dominant cluster
+  Eigen::Matrix2d position_covariance_overall =
+      Eigen::Matrix2d::Identity();                            ///< all clusters, about `pose` [m^2]
+  double shadow_probability = 0.0;                            ///< of the mode "fixes are biased"
+  double canyon_probability = 0.0;                            ///< of the receiver class "deep canyon"
   Eigen::Vector2d bias = Eigen::Vector2d::Zero();             ///< of the fix [m]
   Eigen::Matrix2d bias_covariance = Eigen::Matrix2d::Zero();  ///< [m^2]
   double effective_sample_size = 1.0;

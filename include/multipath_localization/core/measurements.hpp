@@ -21,10 +21,10 @@ Pose2 displacement(const OdometryIncrement& increment);
 
 /// A position from a GNSS receiver, in the ENU map frame.
 struct GnssFix {
-  double stamp = 0.0;        ///< time of measurement [s]
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< antenna in map: east, north [m]
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();    ///< as declared by the receiver [m^2]
-  Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();   ///< lever arm [m]
+  double stamp = 0.0;                                         ///< time of measurement [s]
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();         ///< antenna in map: east, north [m]
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();   ///< as declared by the receiver [m^2]
+  Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
 };
 
 /// What an estimator can be updated with.

@@ -38,8 +38,8 @@ class ParameterVisitor {
   /// Free text when `choices` is empty, else one of them.
   virtual void operator()(const std::string& key, std::string& value, const std::vector<std::string>& choices,
                           std::string_view meaning) = 0;
-  virtual void operator()(const std::string& key, std::vector<double>& value, Range range, std::string_view unit,
-                          std::string_view meaning) = 0;
+  virtual void operator()(const std::string& key, std::vector<double>& value, Range range,
+                          std::string_view unit, std::string_view meaning) = 0;
 
   /// A nested struct with fields of its own.
   template <class Group>
@@ -65,7 +65,8 @@ class ParameterVisitor {
 };
 
 /// Overwrites fields by the entries of `source` (a YAML map, or null for none). Throws ParameterError on an
-/// unknown key (naming the nearest known one), a wrong type or a value out of range; `value` is then unspecified.
+/// unknown key (naming the nearest known one), a wrong type or a value out of range; `value` is then
+/// unspecified.
 template <class Parameters>
 void load(const YAML::Node& source, Parameters& value, const std::string& path = "");
 
@@ -83,7 +84,8 @@ std::string describe_fields(const std::function<void(ParameterVisitor&)>& fields
 
 template <class Parameters>
 void load(const YAML::Node& source, Parameters& value, const std::string& path) {
-  load_fields(source, [&value](ParameterVisitor& field) { value.fields(field); }, path);
+  load_fields(
+      source, [&value](ParameterVisitor& field) { value.fields(field); }, path);
 }
 
 template <class Parameters>

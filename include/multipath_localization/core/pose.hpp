@@ -13,9 +13,7 @@ struct Pose2 {
   double yaw = 0.0;
 
   [[nodiscard]] Eigen::Vector2d position() const { return {x, y}; }
-  [[nodiscard]] bool finite() const {
-    return std::isfinite(x) && std::isfinite(y) && std::isfinite(yaw);
-  }
+  [[nodiscard]] bool finite() const { return std::isfinite(x) && std::isfinite(y) && std::isfinite(yaw); }
 };
 
 /// R(yaw) of size 2x2: turns a vector from the body frame to the frame the yaw is measured in.

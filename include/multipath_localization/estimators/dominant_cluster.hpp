@@ -8,10 +8,11 @@ namespace multipath_localization {
 
 /// The heaviest group of hypotheses that agree on the pose, as one Gaussian.
 struct DominantCluster {
-  Belief belief;                 ///< mean and covariance within the cluster
-  double mass = 0.0;             ///< sum of its weights
-  double shadow = 0.0;           ///< share of it in the mode "shadow"
-  Eigen::Matrix2d overall_position_covariance = Eigen::Matrix2d::Zero();  ///< all hypotheses about the mean [m^2]
+  Belief belief;        ///< mean and covariance within the cluster
+  double mass = 0.0;    ///< sum of its weights
+  double shadow = 0.0;  ///< share of it in the mode "shadow"
+  Eigen::Matrix2d overall_position_covariance =
+      Eigen::Matrix2d::Zero();  ///< all hypotheses about the mean [m^2]
 };
 
 /// Finds it: of the heaviest hypotheses, the one with the most weight within its reach.

@@ -32,7 +32,8 @@ class Estimator {
   /// The pose at the end of the last increment.
   [[nodiscard]] virtual PoseEstimate estimate() const = 0;
 
-  /// What the estimate was made of; a single hypothesis for a Kalman filter, none before the first measurement.
+  /// What the estimate was made of; a single hypothesis for a Kalman filter, none before the first
+  /// measurement.
   [[nodiscard]] virtual std::vector<Hypothesis> hypotheses() const = 0;
 };
 

@@ -23,12 +23,12 @@ enum class Restart { kNone, kPosition, kHeading };
 struct FixCandidate {
   FixMode mode;
   Restart restart = Restart::kNone;
-  bool outlier = false;         ///< the fix says nothing
-  bool keeps_bias = true;       ///< bias decays by `bias_factor`; else it starts at zero
+  bool outlier = false;    ///< the fix says nothing
+  bool keeps_bias = true;  ///< bias decays by `bias_factor`; else it starts at zero
   double bias_factor = 1.0;
-  double bias_variance = 0.0;   ///< added, or, for a new bias, all of it [m^2]
-  double fix_variance = 0.0;    ///< white noise an axis [m^2]
-  double prior = 0.0;           ///< probability before the fix is looked at
+  double bias_variance = 0.0;  ///< added, or, for a new bias, all of it [m^2]
+  double fix_variance = 0.0;   ///< white noise an axis [m^2]
+  double prior = 0.0;          ///< probability before the fix is looked at
 };
 
 inline constexpr std::size_t kFixCandidates = 8;
@@ -36,9 +36,9 @@ using FixCandidates = std::array<FixCandidate, kFixCandidates>;
 
 /// What all hypotheses of one class share at one fix.
 struct FixInterval {
-  double duration = 0.0;      ///< since the last fix [s]
-  double distance = 0.0;      ///< travelled since [m]
-  bool moving = false;        ///< more than the noise of a standing robot
+  double duration = 0.0;               ///< since the last fix [s]
+  double distance = 0.0;               ///< travelled since [m]
+  bool moving = false;                 ///< more than the noise of a standing robot
   double position_restart_rate = 0.0;  ///< [1/s]
   double heading_restart_rate = 0.0;   ///< [1/s]
   double restart_sigma = 5.0;          ///< of position at a restart [m]
@@ -60,8 +60,8 @@ class FixModes {
                                       double yaw, const Eigen::Vector2d& fix) const;
 
   /// Carries the belief over to the candidate and corrects it by the fix.
-  void apply(const FixCandidate& candidate, const Eigen::Vector2d& fix, const Eigen::Vector2d& antenna_in_base,
-             const OdometryNoise& odometry, Belief& belief) const;
+  void apply(const FixCandidate& candidate, const Eigen::Vector2d& fix,
+             const Eigen::Vector2d& antenna_in_base, const OdometryNoise& odometry, Belief& belief) const;
 
  private:
   [[nodiscard]] FixCandidate base(const FixMode& from, const FixMode& to) const;

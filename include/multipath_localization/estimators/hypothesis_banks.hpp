@@ -31,18 +31,20 @@ PerClass class_weights(const std::vector<BeliefParticle>& particles);
 /// for any class with weight; the heaviest takes what is left.
 ClassCounts class_counts(const PerClass& weights, std::size_t count, double floor);
 
-/// Lets the receiver class change over `dt` seconds as a Markov chain on the weights of the banks. A fraction of
-/// each receiving bank is replaced by draws from the giving ones, which keep their pose and forget their bias: a
-/// beaten bank is re-seeded continually from the winner.
-void mix_classes(std::vector<BeliefParticle>& particles, const ClassRates& rates, const ReceiverClasses& classes,
-                 double dt, RandomStream& random);
+/// Lets the receiver class change over `dt` seconds as a Markov chain on the weights of the banks. A fraction
+/// of each receiving bank is replaced by draws from the giving ones, which keep their pose and forget their
+/// bias: a beaten bank is re-seeded continually from the winner.
+void mix_classes(std::vector<BeliefParticle>& particles, const ClassRates& rates,
+                 const ReceiverClasses& classes, double dt, RandomStream& random);
 
 /// Multiplies the weights by exp(log_likelihood) and normalises. Within a class as they are; between classes
 /// tempered by `exponent` in [0, 1]: errors of fixes a moment apart are no independent evidence of the class.
-void reweigh(std::vector<BeliefParticle>& particles, const std::vector<double>& log_likelihood, double exponent);
+void reweigh(std::vector<BeliefParticle>& particles, const std::vector<double>& log_likelihood,
+             double exponent);
 
-/// Systematic resampling bank by bank, when the effective sample size of one falls below `ess_fraction` of it or
-/// its due count has moved far. Keeps the sum of weights of each class.
-void resample_banks(std::vector<BeliefParticle>& particles, double floor, double ess_fraction, RandomStream& random);
+/// Systematic resampling bank by bank, when the effective sample size of one falls below `ess_fraction` of it
+/// or its due count has moved far. Keeps the sum of weights of each class.
+void resample_banks(std::vector<BeliefParticle>& particles, double floor, double ess_fraction,
+                    RandomStream& random);
 
 }  // namespace multipath_localization

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "multipath_localization/core/localization_state.hpp"
+#include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/core/odometry_history.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
@@ -17,7 +17,7 @@ struct LocalizerParameters {
   double history_length = 5.0;
   double future_tolerance = 0.5;
   double dead_reckoning_after = 3.0;
-  double lost_sigma = 60.0;
+  double lost_sigma = 10.0;
 
   void fields(ParameterVisitor& field);
 };
@@ -40,8 +40,8 @@ class Localizer {
   /// Forgets the past and starts the estimator afresh.
   void start(const std::optional<PosePrior>& prior);
 
-  /// Takes an increment (finite, duration > 0, stamps increasing; the caller checks) and whatever measurements
-  /// it was waited for.
+  /// Takes an increment (finite, duration > 0, stamps increasing; the caller checks) and whatever
+  /// measurements it was waited for.
   void add(const OdometryIncrement& increment);
 
   /// Takes a measurement.
@@ -52,7 +52,7 @@ class Localizer {
 
   [[nodiscard]] PoseEstimate estimate() const { return estimator_->estimate(); }
   [[nodiscard]] std::vector<Hypothesis> hypotheses() const { return estimator_->hypotheses(); }
-  [[nodiscard]] LocalizationState state() const;
+  [[nodiscard]] Trust state() const;
   /// One sentence that says why the state is what it is.
   [[nodiscard]] std::string state_reason() const;
 

@@ -16,7 +16,8 @@ const std::vector<std::string>& estimator_names();
 
 /// Makes an estimator by name with the entries of `parameters` (a YAML map or null) over its defaults.
 /// Throws ParameterError on an unknown name or an unusable parameter.
-std::unique_ptr<Estimator> make_estimator(const std::string& name, const YAML::Node& parameters, std::uint64_t seed);
+std::unique_ptr<Estimator> make_estimator(const std::string& name, const YAML::Node& parameters,
+                                          std::uint64_t seed);
 
 /// The estimator's parameters with their defaults as commented YAML: the content of config/<name>.yaml.
 std::string describe_estimator(const std::string& name);

@@ -46,11 +46,12 @@ struct MultipathParticleFilterParameters {
 
 /// The default estimator: position from fixes that may be reflected, and wheel odometry.
 ///
-/// Goes on from [NIS]: the time-varying bias of Eq. (10) is tracked by a Kalman filter, but as a vector and within
-/// each particle, jointly with the pose and the constants of the odometry (Rao-Blackwellisation); what a particle
-/// samples is the discrete part: open sky or shadow, quiet or noisy, slip, and the class of the receiver's
-/// surroundings. Particles start with headings all round the circle. The pose published is that of the dominant
-/// cluster. `aligned` turns true when the fixes of an open sky, or a canyon with a settled heading, confirmed it.
+/// Goes on from [NIS]: the time-varying bias of Eq. (10) is tracked by a Kalman filter, but as a vector and
+/// within each particle, jointly with the pose and the constants of the odometry (Rao-Blackwellisation); what
+/// a particle samples is the discrete part: open sky or shadow, quiet or noisy, slip, and the class of the
+/// receiver's surroundings. Particles start with headings all round the circle. The pose published is that of
+/// the dominant cluster. `aligned` turns true when the fixes of an open sky, or a canyon with a settled
+/// heading, confirmed it.
 class MultipathParticleFilter : public Estimator {
  public:
   MultipathParticleFilter(const MultipathParticleFilterParameters& parameters, std::uint64_t seed);
@@ -70,7 +71,9 @@ class MultipathParticleFilter : public Estimator {
 
   void flush_odometry();
   void weigh(const GnssFix& fix);
-  [[nodiscard]] FixInterval interval(const ReceiverClass& receiver, const GnssFix& fix, double duration) const;
+  /// Samples the mode of every hypothesis and corrects it by the fix; gives the log likelihood of each.
+  std::vector<double> sample_modes(const GnssFix& fix, double duration);
+  [[nodiscard]] FixInterval interval(const ReceiverClass& receiver, double duration) const;
   void update_confirmation(double duration);
   void refresh_cluster();
   [[nodiscard]] Innovation innovation(const GnssFix& fix) const;
@@ -92,8 +95,8 @@ class MultipathParticleFilter : public Estimator {
   double now_ = 0.0;
   double last_fix_ = 0.0;
   double distance_since_fix_ = 0.0;
-  double confirmed_for_ = 0.0;      ///< time moved under an open sky that explains the fixes [s]
-  double settled_for_ = 0.0;        ///< time moved in a canyon with one heading left [s]
+  double confirmed_for_ = 0.0;  ///< time moved under an open sky that explains the fixes [s]
+  double settled_for_ = 0.0;    ///< time moved in a canyon with one heading left [s]
   bool confirmed_ = false;
 };
 

@@ -22,9 +22,10 @@ struct OdometryNoise {
 
 /// Odometry summed up between two fixes, once for all hypotheses.
 ///
-/// All quantities are in the base frame at the start of the sum and linearised at the odometry constants given
-/// to `restart`: the speed measured is (1 + scale) times the true one, the yaw rate measured is gyro_bias too
-/// high. Nothing but time passes while the wheels stand still, so that a parked robot neither diffuses nor turns.
+/// All quantities are in the base frame at the start of the sum and linearised at the odometry constants
+/// given to `restart`: the speed measured is (1 + scale) times the true one, the yaw rate measured is
+/// gyro_bias too high. Nothing but time passes while the wheels stand still, so that a parked robot neither
+/// diffuses nor turns.
 class PreintegratedOdometry {
  public:
   explicit PreintegratedOdometry(const OdometryNoise& noise) : noise_(noise) {}
@@ -37,9 +38,11 @@ class PreintegratedOdometry {
     return displacement_ + by_scale_ * (scale - scale_) + by_gyro_bias_ * (gyro_bias - gyro_bias_);
   }
   /// Turn [rad], likewise.
-  [[nodiscard]] double turn(double gyro_bias) const { return turn_ - moving_time_ * (gyro_bias - gyro_bias_); }
+  [[nodiscard]] double turn(double gyro_bias) const {
+    return turn_ - moving_time_ * (gyro_bias - gyro_bias_);
+  }
 
-  [[nodiscard]] const Eigen::Vector2d& by_scale() const { return by_scale_; }          ///< d displacement / d scale
+  [[nodiscard]] const Eigen::Vector2d& by_scale() const { return by_scale_; }  ///< d displacement / d scale
   [[nodiscard]] const Eigen::Vector2d& by_gyro_bias() const { return by_gyro_bias_; }  ///< [m s / rad]
   [[nodiscard]] const Eigen::Matrix3d& covariance() const { return covariance_; }      ///< of x, y, yaw
   [[nodiscard]] double moving_time() const { return moving_time_; }                    ///< [s]

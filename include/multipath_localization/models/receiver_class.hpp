@@ -9,9 +9,9 @@ namespace multipath_localization {
 
 /// How the errors of a fix behave in one kind of place, for one kind of receiver.
 ///
-/// The fix is position + bias + white noise. The bias is a Gauss-Markov process that switches between two modes:
-/// `open` (small, of receiver and atmosphere) and `shadow` (large, of reflected and diffracted signals), the
-/// time-varying mean of Eq. (10) of [NIS]. The white noise switches between quiet and noisy.
+/// The fix is position + bias + white noise. The bias is a Gauss-Markov process that switches between two
+/// modes: `open` (small, of receiver and atmosphere) and `shadow` (large, of reflected and diffracted
+/// signals), the time-varying mean of Eq. (10) of [NIS]. The white noise switches between quiet and noisy.
 struct ReceiverClass {
   double prior = 0.0;
   bool always_shadow = false;

@@ -14,13 +14,13 @@ struct AlignedHeading {
   double variance = 0.0;
 };
 
-/// Heading without a compass: turns dead reckoning of the last metres rigidly on to the fixes (Procrustes in the
-/// plane). Works in reverse, since dead reckoning carries the sign of the speed; says nothing when the robot has
-/// not moved far or the two shapes differ.
+/// Heading without a compass: turns dead reckoning of the last metres rigidly on to the fixes (Procrustes in
+/// the plane). Works in reverse, since dead reckoning carries the sign of the speed; says nothing when the
+/// robot has not moved far or the two shapes differ.
 class RigidAlignment {
  public:
-  /// `length`: distance looked back [m]. `fix_sigma`: noise of a fix at least [m]. `floor`: variance that a bias
-  /// changing over the window leaves at best [rad^2].
+  /// `length`: distance looked back [m]. `fix_sigma`: noise of a fix at least [m]. `floor`: variance that a
+  /// bias changing over the window leaves at best [rad^2].
   RigidAlignment(double length, double fix_sigma, double floor)
       : length_(length), fix_sigma_(fix_sigma), floor_(floor) {}
 

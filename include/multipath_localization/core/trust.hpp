@@ -4,8 +4,8 @@
 
 namespace multipath_localization {
 
-/// How far the pose can be trusted, in the order of LocalizationState.msg.
-enum class LocalizationState {
+/// How far the pose can be trusted, in the order (and numbers) of LocalizationState.msg, whose name C++ has taken.
+enum class Trust {
   kNotReady,       ///< no odometry or no fix yet
   kAligning,       ///< heading or position not yet confirmed: drive on
   kGood,           ///< aligned, fixes agree
@@ -15,6 +15,6 @@ enum class LocalizationState {
 };
 
 /// "NOT_READY", "ALIGNING", ...
-std::string_view to_string(LocalizationState state);
+std::string_view to_string(Trust state);
 
 }  // namespace multipath_localization

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "multipath_localization/evaluation/closed_loop.hpp"
+#include "multipath_localization/evaluation/parameter_overrides.hpp"
+
+namespace multipath_localization {
+
+/// What estimators are run over: a recording, or a scenario that each run drives through itself.
+using Stream = std::variant<Drive, Scenario>;
+
+/// Every estimator with every seed over one stream.
+struct Batch {
+  std::string source;                   ///< what the runs call the stream
+  std::vector<std::string> estimators;  ///< by name
+  std::uint64_t seeds = 1;              ///< 1..seeds
+  std::size_t jobs = 1;                 ///< runs at a time
+  double score_from = 0.0;              ///< after the start of the stream [s]
+  RunSettings settings;
+};
+
+/// One run and what came of it.
+struct Run {
+  std::string source;  ///< drive, bag or scenario, as named by the user
+  std::string estimator;
+  std::uint64_t seed = 1;
+  std::string failure;  ///< why it did not end, and then nothing below counts; empty when it did
+  Score score;
+  Score fixes;       ///< of the fixes as they came
+  Course course;     ///< scenarios only
+  double cpu = 0.0;  ///< processor time of the thread, the simulator's included [s]
+
+  std::vector<Epoch> epochs;  ///< of seed 1 only, to be drawn
+  Drive drive;                ///< of seed 1 of a scenario only
+};
+
+/// Parameters of each estimator of the batch as YAML text: those of the scenario with `overrides` over them.
+/// Throws ParameterError on an unknown estimator or an unusable parameter.
+std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
+                                       const ParameterOverrides& overrides);
+
+/// Makes all runs, in the order of the estimators and then the seeds; `parameters` as from `parameters_of`.
+/// `progress` is told the run and the fraction of it that is done, from several threads. Results do not
+/// depend on `jobs`, but for the processor time.
+std::vector<Run> run_batch(const Batch& batch, const Stream& stream,
+                           const std::vector<std::string>& parameters,
+                           const std::function<void(std::size_t, double)>& progress);
+
+}  // namespace multipath_localization

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace multipath_localization {
+
+/// A recording that cannot be used. The text names the file, the line where there is one, and the reason.
+class DriveError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A comma-separated table with a header line. Columns go by name, in any order; text cells are allowed where
+/// nobody asks for a number.
+class CsvTable {
+ public:
+  /// Throws DriveError when the file cannot be read, lacks one of the `required` columns or has a ragged
+  /// line.
+  CsvTable(const std::string& file, const std::vector<std::string>& required);
+
+  [[nodiscard]] std::size_t rows() const { return cells_.size(); }
+  [[nodiscard]] bool has(const std::string& column) const { return columns_.count(column) > 0; }
+
+  /// The finite number in that cell. Throws DriveError when it is none.
+  [[nodiscard]] double number(std::size_t row, const std::string& column) const;
+
+  /// A DriveError at the row's line of the file.
+  [[nodiscard]] DriveError error(std::size_t row, const std::string& reason) const;
+
+ private:
+  std::string file_;
+  std::map<std::string, std::size_t> columns_;
+  std::vector<std::vector<std::string>> cells_;
+  std::vector<std::size_t> lines_;  ///< of the file, from 1
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "multipath_localization/core/estimate.hpp"
+#include "multipath_localization/evaluation/drive.hpp"
+
+namespace multipath_localization {
+
+/// One truth sample and what the estimator held at that instant.
+struct Epoch {
+  TruthSample truth;
+  bool valid = false;  ///< whether the estimator claimed to know anything; nothing below counts otherwise
+  bool aligned = false;
+  Pose2 estimate;  ///< base in map
+  Eigen::Matrix2d position_covariance =
+      Eigen::Matrix2d::Identity();  ///< of all hypotheses, as published [m^2]
+};
+
+/// How far off the estimates were. Distances are horizontal.
+struct Score {
+  std::size_t epochs = 0;      ///< scored: valid and not before the time to score from
+  std::size_t unscored = 0;    ///< after that time without a valid estimate
+  std::optional<double> mean;  ///< [m], like all below up to `max`
+  std::optional<double> rmse;
+  std::optional<double> median;
+  std::optional<double> p95;  ///< 95 % quantile, linear between order statistics
+  std::optional<double> max;
+  std::optional<double> heading_rmse;  ///< over the samples whose truth has a heading [rad]
+  std::optional<double> rmse_shadow;   ///< over the samples flagged as shadow [m]
+  std::optional<double> rmse_open;     ///< over the samples flagged as open [m]
+  std::optional<double> nees_mean;     ///< normalised estimation error squared of position, 2 dof: 2 is ideal
+  std::optional<double> in_ellipse;    ///< fraction inside the estimate's own 95 % ellipse
+};
+
+/// Epochs stamped `from` or later. A figure that applies to no epoch is empty.
+Score score(const std::vector<Epoch>& epochs, double from);
+
+/// The fixes themselves against truth at their own stamps; those without truth or before `from` do not count.
+/// The lever arm is carried by the true heading where there is one.
+Score score_fixes(const Drive& drive, double from);
+
+/// The quantile of `values` at `fraction` in 0..1, linear between order statistics. `values` must not be
+/// empty.
+double quantile(std::vector<double> values, double fraction);
+
+}  // namespace multipath_localization

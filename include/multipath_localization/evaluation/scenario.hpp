@@ -1,0 +1,31 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/guidance/waypoint_follower.hpp"
+#include "multipath_localization/simulation/simulator.hpp"
+
+namespace multipath_localization {
+
+/// A ready run: what is simulated, how it is driven, for how long, and what the estimators are told of it.
+/// Its top-level keys are the names of the nodes, so that roslaunch loads the same file into a namespace.
+struct Scenario {
+  std::string name;  ///< of the file, without extension
+  SimulatorParameters simulator;
+  WaypointFollowerParameters steering;
+  std::vector<Eigen::Vector2d> waypoints;  ///< in map [m]
+  double duration = 60.0;                  ///< [s]
+  YAML::Node localization;                 ///< parameters by estimator name; null for none
+};
+
+/// Reads a scenario. Throws ParameterError when it cannot be read or holds what nobody reads.
+Scenario load_scenario(const std::string& file);
+
+/// The entries of a list [[x, y], ...] as points in map [m]. Throws ParameterError, naming `path`.
+std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path);
+
+}  // namespace multipath_localization

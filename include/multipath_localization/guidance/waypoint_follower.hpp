@@ -1,0 +1,89 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/core/motion_command.hpp"
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/pose.hpp"
+#include "multipath_localization/core/trust.hpp"
+
+namespace multipath_localization {
+
+struct WaypointFollowerParameters {
+  std::string law = "path_tracking";
+  double cruise_speed = 1.5;
+  double wheelbase = 0.5;
+  double max_steering_angle = 0.6;
+  double k_phi = 0.8;
+  double lookahead = 2.0;
+  double switch_radius = 1.0;
+  double crossing_width = 5.0;
+  bool loop = true;
+  double max_pose_age = 0.5;
+  double aligning_distance = 5.0;
+  double aligning_speed_ratio = 0.5;
+  double multipath_speed_ratio = 0.7;
+  double dead_reckoning_speed_ratio = 0.5;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// A command and, in words, what it is for: "driving", "slow: fixes are biased", "stopped: localisation
+/// lost", "finished", ...
+struct FollowerOutput {
+  MotionCommand command;
+  std::string status;
+};
+
+/// Steers a front-wheel-steering robot along waypoints in map, and stops where the pose cannot be driven by.
+///
+/// A waypoint is passed within `switch_radius` of it, or by crossing the line through it that is
+/// perpendicular to the way there, at most `crossing_width` aside. Departs from [NIS], which knows the radius
+/// only and circles round a target once missed.
+class WaypointFollower {
+ public:
+  /// Waypoints in map [m]. Throws std::invalid_argument when one is not finite.
+  WaypointFollower(const WaypointFollowerParameters& parameters, std::vector<Eigen::Vector2d> waypoints);
+
+  /// The command for a base in map at `pose`, `pose_age` seconds old.
+  FollowerOutput command(const Pose2& pose, double pose_age, Trust state);
+
+  [[nodiscard]] std::size_t target() const { return target_; }  ///< index of the waypoint steered for
+  [[nodiscard]] int laps() const;                               ///< rounds completed
+  [[nodiscard]] double progress() const;  ///< waypoints passed over waypoints in a round
+  [[nodiscard]] bool finished() const;    ///< never, when looping
+  [[nodiscard]] const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
+
+ private:
+  /// How fast to drive in a state, and the words for it.
+  struct Pace {
+    double ratio;  ///< of the cruise speed
+    std::string reason;
+    std::string status;
+  };
+
+  [[nodiscard]] Pace pace_in(Trust state) const;
+  [[nodiscard]] std::string reason_to_stop(const Pose2& pose, double pose_age, Trust state) const;
+  bool set_off(const Eigen::Vector2d& position, Trust state);
+  void pass_waypoints(const Eigen::Vector2d& position);
+  [[nodiscard]] bool passed_target(const Eigen::Vector2d& position) const;
+  /// Eqs. (36) and (38) of [NIS]. Departs: the error is of the heading, where Eq. (36) prints the steering
+  /// angle.
+  [[nodiscard]] double steer_to_target(const Pose2& pose) const;
+  /// Pure pursuit (Coulter 1992): the arc to a point `lookahead` beyond the foot of the pose on the line.
+  [[nodiscard]] double steer_along_path(const Pose2& pose) const;
+
+  WaypointFollowerParameters parameters_;
+  std::vector<Eigen::Vector2d> waypoints_;
+  Eigen::Vector2d segment_start_ = Eigen::Vector2d::Zero();
+  std::size_t target_ = 0;
+  std::size_t passed_ = 0;
+  std::optional<Eigen::Vector2d> first_position_;  ///< in ALIGNING
+  bool underway_ = false;                          ///< the pose has been good enough to steer by
+};
+
+}  // namespace multipath_localization

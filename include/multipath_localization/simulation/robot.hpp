@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "multipath_localization/core/motion_command.hpp"
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/pose.hpp"
+
+namespace multipath_localization {
+
+struct RobotParameters {
+  double wheelbase = 1.0;
+  double start_x = 0.0;
+  double start_y = 0.0;
+  double start_yaw = 0.0;
+  double max_speed = 12.0;
+  double max_acceleration = 2.0;
+  double max_steering_angle = 0.6;
+  double max_steering_rate = 1.5;
+  std::vector<double> alpha = {3.0, 0.3, 3.0, 0.3, 3.0, 0.3};
+  double noise_scale = 0.0;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// A front-wheel-steering robot whose true motion strays from its command, Eqs. (3)-(8) of [NIS]. The
+/// reference point is the centre of the rear axle; the rear wheels do not slip sideways.
+class Robot {
+ public:
+  /// Throws ParameterError unless there are six noise constants.
+  Robot(const RobotParameters& parameters, std::uint64_t seed);
+
+  /// Drives for `duration` [s] under a command, cut to the robot's limits. A command that is not finite
+  /// counts as a stop.
+  void step(const MotionCommand& command, double duration);
+
+  [[nodiscard]] const Pose2& pose() const { return pose_; }    ///< base in map
+  [[nodiscard]] double speed() const { return speed_; }        ///< true, over the last step [m/s]
+  [[nodiscard]] double yaw_rate() const { return yaw_rate_; }  ///< true, over the last step [rad/s]
+  /// The command within the limits of speed, acceleration and steering, before noise.
+  [[nodiscard]] const MotionCommand& command() const { return command_; }
+  [[nodiscard]] const RobotParameters& parameters() const { return parameters_; }
+
+ private:
+  void limit(const MotionCommand& command, double duration);
+
+  RobotParameters parameters_;
+  std::uint64_t seed_;
+  std::uint32_t steps_ = 0;
+  Pose2 pose_;
+  MotionCommand command_;
+  double speed_ = 0.0;
+  double yaw_rate_ = 0.0;
+};
+
+}  // namespace multipath_localization

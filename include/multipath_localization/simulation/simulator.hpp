@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/core/geodesy.hpp"
+#include "multipath_localization/simulation/odometer.hpp"
+#include "multipath_localization/simulation/receiver.hpp"
+#include "multipath_localization/simulation/robot.hpp"
+#include "multipath_localization/simulation/zone.hpp"
+
+namespace multipath_localization {
+
+/// A building, to be drawn.
+struct BuildingParameters {
+  std::string name = "building";
+  std::vector<double> corners;  ///< [x0, y0, x1, y1, ...] in map [m]
+  double height = 20.0;
+
+  void fields(ParameterVisitor& field);
+};
+
+struct SimulatorParameters {
+  double time_step = 0.01;
+  double datum_latitude_deg = 33.894;
+  double datum_longitude_deg = 130.839;
+  double datum_altitude = 30.0;
+  RobotParameters robot;
+  OdometerParameters odometer;
+  ReceiverParameters receiver;
+  std::vector<ZoneParameters> zones;
+  std::vector<BuildingParameters> buildings;
+  std::vector<OutageParameters> outages;
+
+  void fields(ParameterVisitor& field);
+  [[nodiscard]] Geodetic datum() const { return {datum_latitude_deg, datum_longitude_deg, datum_altitude}; }
+};
+
+/// What the sensors deliver at the end of one step.
+struct Readings {
+  std::optional<OdometryIncrement> odometry;
+  std::vector<GnssFix> fixes;  ///< antenna in map; stamped when measured, delivered a latency later
+};
+
+/// A robot with odometer and GNSS receiver among buildings. Time starts at 0. Deterministic: the same
+/// parameters, seed and commands give the same bytes.
+class Simulator {
+ public:
+  /// Throws ParameterError on a polygon of fewer than three corners or a wrong number of noise constants.
+  Simulator(const SimulatorParameters& parameters, std::uint64_t seed);
+
+  /// Moves on by one time step under a command (not finite: a stop).
+  Readings step(const MotionCommand& u);
+
+  [[nodiscard]] double time() const { return static_cast<double>(steps_) * parameters_.time_step; }  ///< [s]
+  [[nodiscard]] double time_step() const { return parameters_.time_step; }                           ///< [s]
+  [[nodiscard]] const Pose2& truth() const { return robot_.pose(); }   ///< base in map
+  [[nodiscard]] double speed() const { return robot_.speed(); }        ///< true [m/s]
+  [[nodiscard]] double yaw_rate() const { return robot_.yaw_rate(); }  ///< true [rad/s]
+  [[nodiscard]] const Eigen::Vector2d& bias() const {
+    return reception_.bias;
+  }                                                                      ///< of a fix taken now, map [m]
+  [[nodiscard]] bool in_shadow() const { return reception_.in_shadow; }  ///< the antenna is in a zone
+  [[nodiscard]] const SimulatorParameters& parameters() const { return parameters_; }
+
+ private:
+  [[nodiscard]] Reception reception() const;
+
+  SimulatorParameters parameters_;
+  Robot robot_;
+  Odometer odometer_;
+  Receiver receiver_;
+  std::vector<Zone> zones_;
+  Reception reception_;
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace multipath_localization

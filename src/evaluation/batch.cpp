@@ -1,0 +1,82 @@
+#include "multipath_localization/evaluation/batch.hpp"
+
+#include "multipath_localization/estimators/make_estimator.hpp"
+#include "multipath_localization/evaluation/parallel.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& make,
+              const ProgressReport& progress, Run& run) {
+  const double from = drive.start() + batch.score_from;
+  run.epochs = run_drive(drive, make, batch.settings, progress);
+  run.score = score(run.epochs, from);
+  run.fixes = score_fixes(drive, from);
+}
+
+void run_over(const Scenario& scenario, const Batch& batch, const EstimatorFactory& make,
+              const ProgressReport& progress, Run& run) {
+  ClosedLoopRun result = run_scenario(scenario, run.seed, make, batch.settings, progress);
+  run.score = score(result.epochs, batch.score_from);
+  run.fixes = score_fixes(result.drive, batch.score_from);
+  run.course = result.course;
+  run.epochs = std::move(result.epochs);
+  run.drive = std::move(result.drive);
+}
+
+void make_run(const Stream& stream, const Batch& batch, const std::string& parameters,
+              const ProgressReport& progress, Run& run) {
+  const double started = thread_cpu_time();
+  try {
+    const auto make = [&] { return make_estimator(run.estimator, YAML::Load(parameters), run.seed); };
+    std::visit([&](const auto& s) { run_over(s, batch, make, progress, run); }, stream);
+  } catch (const std::exception& error) {
+    run.failure = error.what();
+  }
+  run.cpu = thread_cpu_time() - started;
+  if (run.seed != 1) {
+    run.epochs = {};
+    run.drive = {};
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
+                                       const ParameterOverrides& overrides) {
+  const auto* scenario = std::get_if<Scenario>(&stream);
+  std::vector<std::string> all;
+  for (const std::string& name : batch.estimators) {
+    const bool tuned = scenario != nullptr && scenario->localization.IsMap();
+    const YAML::Node base = tuned ? scenario->localization[name] : YAML::Node();
+    const YAML::Node parameters = overrides.over(base, name);
+    make_estimator(name, parameters, 1);
+    all.push_back(YAML::Dump(parameters));
+  }
+  return all;
+}
+
+std::vector<Run> run_batch(const Batch& batch, const Stream& stream,
+                           const std::vector<std::string>& parameters,
+                           const std::function<void(std::size_t, double)>& progress) {
+  std::vector<Run> runs;
+  for (const std::string& name : batch.estimators) {
+    for (std::uint64_t seed = 1; seed <= batch.seeds; ++seed) {
+      runs.emplace_back();
+      runs.back().source = batch.source;
+      runs.back().estimator = name;
+      runs.back().seed = seed;
+    }
+  }
+  for_each_index(runs.size(), batch.jobs, [&](std::size_t i) {
+    const auto report = [&](double fraction) {
+      if (progress) progress(i, fraction);
+    };
+    make_run(stream, batch, parameters[i / batch.seeds], report, runs[i]);
+    report(1.0);
+  });
+  return runs;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,101 @@
+#include "multipath_localization/evaluation/closed_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace multipath_localization {
+
+namespace {
+
+/// Keeps how near the robot truly came to each waypoint the follower steered for.
+class CourseWatch {
+ public:
+  explicit CourseWatch(const WaypointFollower& follower) : follower_(follower) {}
+
+  void see(const Eigen::Vector2d& truth, const MotionCommand& command, double duration) {
+    const std::vector<Eigen::Vector2d>& waypoints = follower_.waypoints();
+    if (waypoints.empty()) return;
+    const std::size_t passed =
+        waypoints.size() * static_cast<std::size_t>(follower_.laps()) + follower_.target();
+    closest_.resize(passed + 1, std::numeric_limits<double>::infinity());
+    for (std::size_t i = passed == 0 ? 0 : passed - 1; i <= passed; ++i) {
+      closest_[i] = std::min(closest_[i], (waypoints[i % waypoints.size()] - truth).norm());
+    }
+    if (command.speed == 0.0) standing_ += duration;
+  }
+
+  [[nodiscard]] Course course() const {
+    Course course;
+    course.standing = standing_;
+    course.laps = follower_.laps();
+    if (closest_.size() < 2) return course;
+    course.waypoints_passed = closest_.size() - 1;
+    course.worst_miss = *std::max_element(closest_.begin(), closest_.end() - 1);
+    return course;
+  }
+
+ private:
+  const WaypointFollower& follower_;
+  std::vector<double> closest_;  ///< by number of waypoints passed before; the last is still steered for
+  double standing_ = 0.0;
+};
+
+TruthSample truth_of(const Simulator& simulator) {
+  TruthSample sample;
+  sample.stamp = simulator.time();
+  sample.base_in_map = simulator.truth();
+  sample.has_yaw = true;
+  sample.shadow = simulator.in_shadow();
+  return sample;
+}
+
+/// What the follower knows of the localisation: published with each odometry.
+struct Published {
+  double stamp = -std::numeric_limits<double>::infinity();
+  Pose2 pose;
+  Trust state = Trust::kNotReady;
+};
+
+}  // namespace
+
+ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const EstimatorFactory& make,
+                           const RunSettings& settings, const ProgressReport& progress) {
+  Simulator simulator(scenario.simulator, seed);
+  WaypointFollower follower(scenario.steering, scenario.waypoints);
+  CourseWatch watch(follower);
+  Localizer localizer(make(), settings.localizer);
+  localizer.start(settings.known_start ? std::optional(known_start(0.0, simulator.truth())) : std::nullopt);
+
+  ClosedLoopRun run;
+  run.drive.name = scenario.name;
+  run.drive.datum = scenario.simulator.datum();
+  Published published;
+  std::optional<OdometryIncrement> last;
+  const auto steps = static_cast<std::int64_t>(std::llround(scenario.duration / simulator.time_step()));
+  for (std::int64_t step = 0; step < steps; ++step) {
+    const MotionCommand command =
+        follower.command(published.pose, simulator.time() - published.stamp, published.state).command;
+    const Readings readings = simulator.step(command);
+    if (readings.odometry) {
+      localizer.add(*readings.odometry);
+      run.drive.odometry.push_back(*readings.odometry);
+      last = readings.odometry;
+    }
+    for (const GnssFix& fix : readings.fixes) {
+      localizer.add(Measurement(fix));
+      run.drive.fixes.push_back({fix, simulator.time()});
+    }
+    localizer.take_reports();
+    run.drive.truth.push_back(truth_of(simulator));
+    const PoseEstimate estimate = localizer.estimate();
+    run.epochs.push_back(epoch_of(estimate, run.drive.truth.back(), last));
+    if (readings.odometry) published = {simulator.time(), estimate.pose, localizer.state()};
+    watch.see(simulator.truth().position(), command, simulator.time_step());
+    if (progress && step % 64 == 0) progress(static_cast<double>(step) / static_cast<double>(steps));
+  }
+  run.course = watch.course();
+  return run;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,65 @@
+#include "multipath_localization/evaluation/csv.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+namespace multipath_localization {
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const char* const blanks = " \t\r\"";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t end = line.find(',', begin);
+    cells.push_back(trimmed(line.substr(begin, end == std::string::npos ? end : end - begin)));
+    if (end == std::string::npos) return cells;
+    begin = end + 1;
+  }
+}
+
+}  // namespace
+
+CsvTable::CsvTable(const std::string& file, const std::vector<std::string>& required) : file_(file) {
+  std::ifstream in(file);
+  std::string line;
+  if (!in || !std::getline(in, line)) throw DriveError(file + ": cannot be read or is empty");
+  const std::vector<std::string> header = split(line);
+  for (std::size_t i = 0; i < header.size(); ++i) columns_[header[i]] = i;
+  for (const std::string& column : required) {
+    if (!has(column)) throw DriveError(file + ":1: no column " + column);
+  }
+  for (std::size_t number = 2; std::getline(in, line); ++number) {
+    if (trimmed(line).empty()) continue;
+    cells_.push_back(split(line));
+    lines_.push_back(number);
+    if (cells_.back().size() != header.size()) {
+      throw error(rows() - 1, std::to_string(cells_.back().size()) + " cells under " +
+                                  std::to_string(header.size()) + " columns");
+    }
+  }
+}
+
+double CsvTable::number(std::size_t row, const std::string& column) const {
+  const std::string& cell = cells_[row][columns_.at(column)];
+  char* end = nullptr;
+  const double value = std::strtod(cell.c_str(), &end);
+  if (cell.empty() || *end != '\0' || !std::isfinite(value)) {
+    throw error(row, column + " is '" + cell + "', not a finite number");
+  }
+  return value;
+}
+
+DriveError CsvTable::error(std::size_t row, const std::string& reason) const {
+  return DriveError(file_ + ":" + std::to_string(lines_[row]) + ": " + reason);
+}
+
+}  // namespace multipath_localization

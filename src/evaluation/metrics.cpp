@@ -1,0 +1,113 @@
+#include "multipath_localization/evaluation/metrics.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace multipath_localization {
+
+namespace {
+
+/// 95 % quantile of the chi-square distribution with 2 degrees of freedom, -2 ln 0.05.
+constexpr double kChiSquare95 = 5.991464547107979;
+
+struct PositionError {
+  double distance = 0.0;  ///< [m]
+  std::optional<bool> shadow;
+};
+
+class MeanSquare {
+ public:
+  void add(double value) {
+    sum_ += value * value;
+    ++count_;
+  }
+  [[nodiscard]] std::optional<double> root() const {
+    if (count_ == 0) return std::nullopt;
+    return std::sqrt(sum_ / static_cast<double>(count_));
+  }
+
+ private:
+  double sum_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+std::optional<double> mean(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+void summarise(const std::vector<PositionError>& errors, Score& score) {
+  std::vector<double> distances;
+  MeanSquare all;
+  MeanSquare shadow;
+  MeanSquare open;
+  for (const PositionError& error : errors) {
+    distances.push_back(error.distance);
+    all.add(error.distance);
+    if (error.shadow) (*error.shadow ? shadow : open).add(error.distance);
+  }
+  score.epochs = errors.size();
+  score.rmse = all.root();
+  score.rmse_shadow = shadow.root();
+  score.rmse_open = open.root();
+  if (distances.empty()) return;
+  score.mean = mean(distances);
+  score.median = quantile(distances, 0.5);
+  score.p95 = quantile(distances, 0.95);
+  score.max = *std::max_element(distances.begin(), distances.end());
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double fraction) {
+  std::sort(values.begin(), values.end());
+  const double place = fraction * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+Score score(const std::vector<Epoch>& epochs, double from) {
+  Score score;
+  std::vector<PositionError> errors;
+  std::vector<double> nees;
+  MeanSquare heading;
+  double inside = 0.0;
+  for (const Epoch& epoch : epochs) {
+    if (epoch.truth.stamp < from) continue;
+    if (!epoch.valid) {
+      ++score.unscored;
+      continue;
+    }
+    const Eigen::Vector2d error = epoch.estimate.position() - epoch.truth.base_in_map.position();
+    errors.push_back({error.norm(), epoch.truth.shadow});
+    nees.push_back(error.dot(epoch.position_covariance.ldlt().solve(error)));
+    inside += nees.back() <= kChiSquare95 ? 1.0 : 0.0;
+    if (epoch.truth.has_yaw) heading.add(angle_difference(epoch.estimate.yaw, epoch.truth.base_in_map.yaw));
+  }
+  summarise(errors, score);
+  score.heading_rmse = heading.root();
+  score.nees_mean = mean(nees);
+  if (!nees.empty()) score.in_ellipse = inside / static_cast<double>(nees.size());
+  return score;
+}
+
+Score score_fixes(const Drive& drive, double from) {
+  std::vector<PositionError> errors;
+  for (const RecordedFix& recorded : drive.fixes) {
+    if (recorded.fix.stamp < from) continue;
+    const std::optional<TruthSample> truth = truth_at(drive.truth, recorded.fix.stamp);
+    if (!truth) continue;
+    const Eigen::Vector2d antenna =
+        truth->has_yaw ? truth->base_in_map * recorded.fix.antenna_in_base : truth->base_in_map.position();
+    errors.push_back({(recorded.fix.position - antenna).norm(), truth->shadow});
+  }
+  Score score;
+  summarise(errors, score);
+  return score;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,100 @@
+#include "multipath_localization/evaluation/runner.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kLongestCarry = 1.0;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Walks a drive's three streams in the order of arrival.
+class Replay {
+ public:
+  Replay(const Drive& drive, Localizer& localizer) : drive_(drive), localizer_(localizer) {}
+
+  /// Everything that had arrived by `stamp`.
+  void advance_to(double stamp) {
+    while (true) {
+      const double odometry =
+          next_odometry_ < drive_.odometry.size() ? drive_.odometry[next_odometry_].stamp : kNever;
+      const double fix = next_fix_ < drive_.fixes.size() ? drive_.fixes[next_fix_].arrival : kNever;
+      if (odometry <= fix && odometry <= stamp) {
+        localizer_.add(drive_.odometry[next_odometry_++]);
+      } else if (fix <= stamp) {
+        localizer_.add(Measurement(drive_.fixes[next_fix_++].fix));
+      } else {
+        break;
+      }
+    }
+    localizer_.take_reports();
+  }
+
+  /// The increment that came in last.
+  [[nodiscard]] std::optional<OdometryIncrement> last() const {
+    if (next_odometry_ == 0) return std::nullopt;
+    return drive_.odometry[next_odometry_ - 1];
+  }
+
+ private:
+  const Drive& drive_;
+  Localizer& localizer_;
+  std::size_t next_odometry_ = 0;
+  std::size_t next_fix_ = 0;
+};
+
+std::optional<PosePrior> prior_of(const Drive& drive) {
+  const double stamp = drive.odometry.front().stamp - drive.odometry.front().duration;
+  const std::optional<TruthSample> truth = truth_at(drive.truth, stamp);
+  if (!truth || !truth->has_yaw)
+    throw RunError("the start cannot be known: no true heading when the odometry starts");
+  return known_start(stamp, truth->base_in_map);
+}
+
+}  // namespace
+
+PosePrior known_start(double stamp, const Pose2& base_in_map) {
+  PosePrior prior;
+  prior.stamp = stamp;
+  prior.pose = base_in_map;
+  prior.covariance = Eigen::Vector3d(0.01, 0.01, 4e-4).asDiagonal();
+  return prior;
+}
+
+Epoch epoch_of(const PoseEstimate& estimate, const TruthSample& truth,
+               const std::optional<OdometryIncrement>& last) {
+  Epoch epoch;
+  epoch.truth = truth;
+  if (!estimate.valid || !last || truth.stamp - last->stamp > kLongestCarry) return epoch;
+  if (!estimate.pose.finite() || !estimate.position_covariance_overall.allFinite()) {
+    throw RunError("the estimate at " + std::to_string(truth.stamp) + " s is not finite");
+  }
+  OdometryIncrement carry = *last;
+  carry.duration = truth.stamp - last->stamp;
+  epoch.valid = true;
+  epoch.aligned = estimate.aligned;
+  epoch.estimate = estimate.pose * displacement(carry);
+  epoch.position_covariance = estimate.position_covariance_overall;
+  return epoch;
+}
+
+std::vector<Epoch> run_drive(const Drive& drive, const EstimatorFactory& make, const RunSettings& settings,
+                             const ProgressReport& progress) {
+  Localizer localizer(make(), settings.localizer);
+  localizer.start(settings.known_start ? prior_of(drive) : std::nullopt);
+  Replay replay(drive, localizer);
+  std::vector<Epoch> epochs;
+  for (const TruthSample& truth : drive.truth) {
+    replay.advance_to(truth.stamp);
+    epochs.push_back(epoch_of(localizer.estimate(), truth, replay.last()));
+    if (progress && epochs.size() % 64 == 0) {
+      progress(static_cast<double>(epochs.size()) / static_cast<double>(drive.truth.size()));
+    }
+  }
+  replay.advance_to(std::numeric_limits<double>::max());
+  return epochs;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,65 @@
+#include "multipath_localization/evaluation/scenario.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+namespace multipath_localization {
+
+namespace {
+
+const std::set<std::string> kKeys = {"simulator", "steering", "localization", "duration"};
+
+double seconds(const YAML::Node& source, const std::string& path) {
+  try {
+    const auto value = source.as<double>();
+    if (std::isfinite(value) && value > 0.0) return value;
+  } catch (const YAML::Exception&) {
+  }
+  throw ParameterError(path + " is not a number of seconds above 0");
+}
+
+void refuse_unknown(const YAML::Node& source, const std::string& file) {
+  if (!source.IsMap()) throw ParameterError(file + " is not a map");
+  for (const auto& entry : source) {
+    const auto key = entry.first.as<std::string>();
+    if (kKeys.count(key) == 0) throw ParameterError("unknown key " + key + " in " + file);
+  }
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path) {
+  std::vector<Eigen::Vector2d> points;
+  try {
+    for (const auto& pair : source.as<std::vector<std::vector<double>>>()) {
+      if (pair.size() != 2 || !std::isfinite(pair[0]) || !std::isfinite(pair[1])) {
+        throw ParameterError(path + " holds what is not a pair of finite numbers");
+      }
+      points.emplace_back(pair[0], pair[1]);
+    }
+  } catch (const YAML::Exception&) {
+    throw ParameterError(path + " is not a list of pairs [x, y]");
+  }
+  return points;
+}
+
+Scenario load_scenario(const std::string& file) {
+  const YAML::Node source = read_yaml(file);
+  refuse_unknown(source, file);
+  Scenario scenario;
+  scenario.name = std::filesystem::path(file).stem().string();
+  load(source["simulator"], scenario.simulator, "simulator");
+  YAML::Node steering;
+  if (source["steering"]) steering = YAML::Clone(source["steering"]);
+  if (steering.IsMap() && steering["waypoints"]) {
+    scenario.waypoints = load_points(steering["waypoints"], "steering/waypoints");
+    steering.remove("waypoints");
+  }
+  load(steering, scenario.steering, "steering");
+  if (source["duration"]) scenario.duration = seconds(source["duration"], "duration");
+  if (source["localization"]) scenario.localization = source["localization"];
+  return scenario;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,146 @@
+#include "multipath_localization/guidance/waypoint_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+namespace multipath_localization {
+
+namespace {
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
+
+std::string old_pose(double age) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "pose is %.1f s old", age);
+  return std::isfinite(age) ? text : "no pose yet";
+}
+
+}  // namespace
+
+void WaypointFollowerParameters::fields(ParameterVisitor& field) {
+  field("law", law, {"path_tracking", "nishida"},
+        "path_tracking: pure pursuit of the line between waypoints; nishida: Eqs. (36)-(38) of [NIS]");
+  field("cruise_speed", cruise_speed, {0.0, 100.0}, "m/s", "where the localisation is good");
+  field("wheelbase", wheelbase, {0.01, 100.0}, "m", "front to rear axle");
+  field("max_steering_angle", max_steering_angle, {0.0, 1.5}, "rad", "to either side");
+  field("k_phi", k_phi, {0.0, 100.0}, "1", "nishida: gain from heading error to steering angle");
+  field("lookahead", lookahead, {0.01, 1e3}, "m", "path_tracking: aims this far ahead on the line");
+  field("switch_radius", switch_radius, {0.0, 1e3}, "m", "a waypoint this near is passed");
+  field("crossing_width", crossing_width, {0.0, 1e3}, "m",
+        "so is one whose line, perpendicular to the way there, is crossed this far aside at most");
+  field("loop", loop, "after the last waypoint go on to the first, else stop");
+  field("max_pose_age", max_pose_age, {0.0, 60.0}, "s", "an older pose stops the robot");
+  field("aligning_distance", aligning_distance, {0.0, 1e3}, "m",
+        "from a start in ALIGNING go straight this far, for the heading to show, unless it is confirmed "
+        "before");
+  field("aligning_speed_ratio", aligning_speed_ratio, {0.0, 1.0}, "1", "of the cruise speed in ALIGNING");
+  field("multipath_speed_ratio", multipath_speed_ratio, {0.0, 1.0}, "1", "of the cruise speed in MULTIPATH");
+  field("dead_reckoning_speed_ratio", dead_reckoning_speed_ratio, {0.0, 1.0}, "1",
+        "of the cruise speed in DEAD_RECKONING; 0 holds there as in NOT_READY and LOST");
+}
+
+WaypointFollower::WaypointFollower(const WaypointFollowerParameters& parameters,
+                                   std::vector<Eigen::Vector2d> waypoints)
+    : parameters_(parameters), waypoints_(std::move(waypoints)) {
+  for (const Eigen::Vector2d& waypoint : waypoints_) {
+    if (!waypoint.allFinite()) throw std::invalid_argument("a waypoint is not finite");
+  }
+}
+
+int WaypointFollower::laps() const {
+  return waypoints_.empty() ? 0 : static_cast<int>(passed_ / waypoints_.size());
+}
+
+double WaypointFollower::progress() const {
+  return waypoints_.empty() ? 0.0 : static_cast<double>(passed_) / static_cast<double>(waypoints_.size());
+}
+
+bool WaypointFollower::finished() const {
+  return !parameters_.loop && !waypoints_.empty() && passed_ >= waypoints_.size();
+}
+
+FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state) {
+  if (finished()) return {{}, "finished"};
+  const std::string reason = reason_to_stop(pose, pose_age, state);
+  if (!reason.empty()) return {{}, "stopped: " + reason};
+
+  const Pace pace = pace_in(state);
+  const double speed = pace.ratio * parameters_.cruise_speed;
+  if (!underway_ && !set_off(pose.position(), state)) return {{speed, 0.0}, pace.status};
+  pass_waypoints(pose.position());
+  if (finished()) return {{}, "finished"};
+  const double angle = parameters_.law == "nishida" ? steer_to_target(pose) : steer_along_path(pose);
+  return {{speed, std::clamp(angle, -parameters_.max_steering_angle, parameters_.max_steering_angle)},
+          pace.status};
+}
+
+std::string WaypointFollower::reason_to_stop(const Pose2& pose, double pose_age, Trust state) const {
+  if (waypoints_.empty()) return "no waypoints";
+  if (!(pose_age <= parameters_.max_pose_age)) return old_pose(pose_age);
+  if (!pose.finite()) return "pose not finite";
+  if (state == Trust::kNotReady) return "localisation not ready";
+  if (state == Trust::kLost) return "localisation lost";
+  if (pace_in(state).ratio == 0.0) return pace_in(state).reason;
+  return "";
+}
+
+WaypointFollower::Pace WaypointFollower::pace_in(Trust state) const {
+  const auto slow = [](double ratio, const std::string& reason) {
+    return Pace{ratio, reason, ratio < 1.0 ? "slow: " + reason : "driving"};
+  };
+  switch (state) {
+    case Trust::kAligning: return slow(parameters_.aligning_speed_ratio, "heading not yet confirmed");
+    case Trust::kMultipath: return slow(parameters_.multipath_speed_ratio, "fixes are biased");
+    case Trust::kDeadReckoning: return slow(parameters_.dead_reckoning_speed_ratio, "no usable fix");
+    default: return {1.0, "", "driving"};
+  }
+}
+
+bool WaypointFollower::set_off(const Eigen::Vector2d& position, Trust state) {
+  if (!first_position_) first_position_ = position;
+  const bool far_enough = (position - *first_position_).norm() >= parameters_.aligning_distance;
+  underway_ = state != Trust::kAligning || far_enough;
+  segment_start_ = position;
+  return underway_;
+}
+
+void WaypointFollower::pass_waypoints(const Eigen::Vector2d& position) {
+  for (std::size_t i = 0; i < waypoints_.size() && !finished() && passed_target(position); ++i) {
+    segment_start_ = waypoints_[target_];
+    target_ = (target_ + 1) % waypoints_.size();
+    ++passed_;
+  }
+}
+
+bool WaypointFollower::passed_target(const Eigen::Vector2d& position) const {
+  const Eigen::Vector2d beyond = position - waypoints_[target_];
+  if (beyond.norm() <= parameters_.switch_radius) return true;
+  const Eigen::Vector2d way = waypoints_[target_] - segment_start_;
+  if (way.isZero()) return false;
+  return beyond.dot(way) >= 0.0 && std::abs(cross(way.normalized(), beyond)) <= parameters_.crossing_width;
+}
+
+double WaypointFollower::steer_to_target(const Pose2& pose) const {
+  const double bearing = direction_of(waypoints_[target_] - pose.position());  // Eq. (38) of [NIS]
+  return parameters_.k_phi * angle_difference(bearing, pose.yaw);              // Eq. (36) of [NIS]
+}
+
+double WaypointFollower::steer_along_path(const Pose2& pose) const {
+  const Eigen::Vector2d way = waypoints_[target_] - segment_start_;
+  Eigen::Vector2d aim = waypoints_[target_];
+  if (!way.isZero()) {
+    const Eigen::Vector2d along = way.normalized();
+    aim = segment_start_ + ((pose.position() - segment_start_).dot(along) + parameters_.lookahead) * along;
+  }
+  const Eigen::Vector2d ahead = aim - pose.position();
+  const double bearing = angle_difference(direction_of(ahead), pose.yaw);
+  if (std::abs(bearing) > 0.5 * kPi) return std::copysign(parameters_.max_steering_angle, bearing);
+  return std::atan2(2.0 * parameters_.wheelbase * std::sin(bearing), ahead.norm());
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,237 @@
+#include "nodes/conversions.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kHighestAltitude = 100e3;
+constexpr double kFurthestPose = 1e7;
+constexpr std::size_t kX = 0, kY = 7, kYaw = 35, kXY = 1, kXYaw = 5, kYYaw = 11;  ///< in a row-major 6x6
+constexpr std::size_t kEast = 0, kEastNorth = 1, kNorthEast = 3, kNorth = 4;      ///< in a row-major 3x3
+
+bool declares_none(const sensor_msgs::NavSatFix& message) {
+  const auto& covariance = message.position_covariance;
+  return message.position_covariance_type == sensor_msgs::NavSatFix::COVARIANCE_TYPE_UNKNOWN ||
+         covariance[kEast] == 0.0 || covariance[kNorth] == 0.0;
+}
+
+Eigen::Matrix2d horizontal(const sensor_msgs::NavSatFix& message) {
+  const auto& covariance = message.position_covariance;
+  const bool full = message.position_covariance_type == sensor_msgs::NavSatFix::COVARIANCE_TYPE_KNOWN;
+  return (Eigen::Matrix2d() << covariance[kEast], full ? covariance[kEastNorth] : 0.0,
+          full ? covariance[kNorthEast] : 0.0, covariance[kNorth])
+      .finished();
+}
+
+template <class Matrix>
+bool positive_semi_definite(const Matrix& covariance) {
+  const double largest = covariance.diagonal().maxCoeff();
+  const double rounding = 1e-6 * largest;
+  if ((covariance - covariance.transpose()).cwiseAbs().maxCoeff() > rounding) return false;
+  return Eigen::SelfAdjointEigenSolver<Matrix>(covariance, Eigen::EigenvaluesOnly).eigenvalues()[0] >=
+         -rounding;
+}
+
+bool usable_covariance(const sensor_msgs::NavSatFix& message, double largest_sigma) {
+  if (message.position_covariance_type > sensor_msgs::NavSatFix::COVARIANCE_TYPE_KNOWN) return false;
+  if (message.position_covariance_type == sensor_msgs::NavSatFix::COVARIANCE_TYPE_UNKNOWN) return true;
+  const Eigen::Matrix2d declared = horizontal(message);
+  const bool in_range = declared.allFinite() && declared.diagonal().minCoeff() >= 0.0 &&
+                        declared.cwiseAbs().maxCoeff() <= largest_sigma * largest_sigma;
+  return in_range && (declares_none(message) || positive_semi_definite(declared));
+}
+
+}  // namespace
+
+std::string without_slash(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+void FixParameters::fields(ParameterVisitor& field) {
+  field("default_sigma", default_sigma, {1e-3, 1e3}, "m",
+        "of a fix whose covariance is zero or of unknown type");
+  field("largest_sigma", largest_sigma, {1.0, 1e6}, "m", "a fix that declares more is refused");
+  field("reach", reach, {100.0, 1e6}, "m", "a fix further from the datum is refused");
+  field("min_fix_status", min_fix_status, {-1, 2}, "1",
+        "NavSatStatus a fix needs: -1 any, 0 fix, 1 satellite, 2 ground-based augmentation");
+}
+
+Geodetic to_geodetic(const sensor_msgs::NavSatFix& message) {
+  return {message.latitude, message.longitude, message.altitude};
+}
+
+double declared_sigma(const sensor_msgs::NavSatFix& message) {
+  if (declares_none(message)) return std::numeric_limits<double>::quiet_NaN();
+  return std::sqrt(0.5 * (message.position_covariance[kEast] + message.position_covariance[kNorth]));
+}
+
+Reason check(const sensor_msgs::NavSatFix& message, const FixParameters& parameters) {
+  if (message.header.stamp.isZero()) return Reason::kZeroStamp;
+  if (message.status.status < parameters.min_fix_status) return Reason::kNoFix;
+  if (!std::isfinite(message.latitude) || !std::isfinite(message.longitude)) return Reason::kNotFinite;
+  if (!valid(to_geodetic(message)) || std::abs(message.altitude) > kHighestAltitude) {
+    return Reason::kInvalidPosition;
+  }
+  if (!usable_covariance(message, parameters.largest_sigma)) return Reason::kInvalidCovariance;
+  return Reason::kAccepted;
+}
+
+CheckedFix to_fix(const sensor_msgs::NavSatFix& message, const LocalFrame& map,
+                  const FixParameters& parameters, const Eigen::Vector2d& antenna_in_base) {
+  CheckedFix checked;
+  checked.reason = check(message, parameters);
+  if (checked.reason != Reason::kAccepted) return checked;
+  checked.fix.stamp = message.header.stamp.toSec();
+  checked.fix.position = map.to_map(to_geodetic(message));
+  checked.fix.antenna_in_base = antenna_in_base;
+  checked.fix.covariance =
+      declares_none(message)
+          ? Eigen::Matrix2d(Eigen::Matrix2d::Identity() * std::pow(parameters.default_sigma, 2))
+          : horizontal(message);
+  if (!(checked.fix.position.norm() <= parameters.reach)) checked.reason = Reason::kInvalidPosition;
+  return checked;
+}
+
+std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose) {
+  const geometry_msgs::Point& p = pose.position;
+  const geometry_msgs::Quaternion& q = pose.orientation;
+  for (const double coordinate : {p.x, p.y, p.z}) {
+    if (!(std::abs(coordinate) <= kFurthestPose)) return {};
+  }
+  const double norm = Eigen::Vector4d(q.x, q.y, q.z, q.w).norm();
+  if (norm == 0.0) return Pose2{p.x, p.y, 0.0};
+  if (!(std::abs(norm - 1.0) <= 0.01)) return {};
+  return Pose2{p.x, p.y, std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+}
+
+geometry_msgs::Pose to_message(const Pose2& pose) {
+  geometry_msgs::Pose message;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
+  message.orientation.z = std::sin(0.5 * pose.yaw);
+  message.orientation.w = std::cos(0.5 * pose.yaw);
+  return message;
+}
+
+std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message) {
+  const std::optional<Pose2> pose = to_pose2(message.pose.pose);
+  if (!pose) return {};
+  const auto& covariance = message.pose.covariance;
+  PosePrior prior;
+  prior.stamp = message.header.stamp.toSec();
+  prior.pose = *pose;
+  prior.covariance << covariance[kX], covariance[kXY], covariance[kXYaw],  //
+      covariance[kXY], covariance[kY], covariance[kYYaw],                  //
+      covariance[kXYaw], covariance[kYYaw], covariance[kYaw];
+  const bool usable = prior.covariance.allFinite() && prior.covariance.diagonal().minCoeff() > 0.0 &&
+                      positive_semi_definite(prior.covariance);
+  return usable ? std::optional<PosePrior>(prior) : std::nullopt;
+}
+
+geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate) {
+  geometry_msgs::PoseWithCovariance message;
+  message.pose = to_message(estimate.pose);
+  message.covariance[kX] = estimate.position_covariance_overall(0, 0);
+  message.covariance[kXY] = message.covariance[6] = estimate.position_covariance_overall(0, 1);
+  message.covariance[kY] = estimate.position_covariance_overall(1, 1);
+  message.covariance[kXYaw] = message.covariance[30] = estimate.covariance(0, 2);
+  message.covariance[kYYaw] = message.covariance[31] = estimate.covariance(1, 2);
+  message.covariance[kYaw] = estimate.covariance(2, 2);
+  return message;
+}
+
+nav_msgs::Odometry to_odometry(const PoseEstimate& estimate, const nav_msgs::Odometry& odometry,
+                               const std::string& map_frame) {
+  nav_msgs::Odometry message = odometry;
+  message.header.frame_id = map_frame;
+  message.pose = to_message(estimate);
+  return message;
+}
+
+nav_msgs::Odometry to_odometry(const GnssFix& fix, const std_msgs::Header& header,
+                               const std::string& child_frame) {
+  nav_msgs::Odometry message;
+  message.header = header;
+  message.child_frame_id = child_frame;
+  message.pose.pose = to_message(Pose2{fix.position.x(), fix.position.y(), 0.0});
+  message.pose.covariance[kX] = fix.covariance(0, 0);
+  message.pose.covariance[kXY] = message.pose.covariance[6] = fix.covariance(0, 1);
+  message.pose.covariance[kY] = fix.covariance(1, 1);
+  message.pose.covariance[kYaw] = kPi * kPi;
+  return message;
+}
+
+geometry_msgs::Transform map_to_odom(const Pose2& base_in_map, const Pose2& base_in_odom) {
+  const geometry_msgs::Pose odom_in_map = to_message(base_in_map * inverse(base_in_odom));
+  geometry_msgs::Transform transform;
+  transform.translation.x = odom_in_map.position.x;
+  transform.translation.y = odom_in_map.position.y;
+  transform.rotation = odom_in_map.orientation;
+  return transform;
+}
+
+geometry_msgs::PoseArray to_pose_array(const std::vector<Hypothesis>& hypotheses, std::size_t max_poses,
+                                       const std_msgs::Header& header) {
+  geometry_msgs::PoseArray array;
+  array.header = header;
+  const std::size_t count = std::min(max_poses, hypotheses.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    array.poses.push_back(to_message(hypotheses[i * hypotheses.size() / count].pose));
+  }
+  return array;
+}
+
+GnssBias to_bias(const PoseEstimate& estimate, const std_msgs::Header& header) {
+  GnssBias message;
+  message.header = header;
+  message.x = estimate.bias.x();
+  message.y = estimate.bias.y();
+  message.sigma = std::sqrt(estimate.bias_covariance.trace());
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    message.covariance[static_cast<std::size_t>(i)] = estimate.bias_covariance(i / 2, i % 2);
+  }
+  message.shadow_probability = estimate.shadow_probability;
+  message.canyon_probability = estimate.canyon_probability;
+  message.ring_radius = estimate.bias.norm();
+  return message;
+}
+
+LocalizationState to_state(const Localizer& localizer, const std_msgs::Header& header) {
+  const PoseEstimate estimate = localizer.estimate();
+  LocalizationState message;
+  message.header = header;
+  message.state = static_cast<std::uint8_t>(localizer.state());
+  message.name = std::string(to_string(localizer.state()));
+  message.reason = localizer.state_reason();
+  if (!estimate.valid) return message;
+  message.position_sigma = std::sqrt(estimate.position_covariance_overall.trace());
+  message.yaw_sigma = std::sqrt(estimate.covariance(2, 2));
+  message.dominance = estimate.dominance;
+  message.shadow_probability = estimate.shadow_probability;
+  message.canyon_probability = estimate.canyon_probability;
+  message.effective_sample_size = estimate.effective_sample_size;
+  return message;
+}
+
+FixReport to_report(const Innovation& innovation, const sensor_msgs::NavSatFix& fix, const ros::Time& now,
+                    std::uint32_t sequence) {
+  FixReport message;
+  message.header = fix.header;
+  message.accepted = innovation.accepted();
+  message.reason = std::string(to_string(innovation.reason));
+  message.innovation_x = innovation.innovation.x();
+  message.innovation_y = innovation.innovation.y();
+  message.nis = innovation.nis;
+  message.declared_sigma = declared_sigma(fix);
+  message.predicted_sigma = std::sqrt(0.5 * innovation.covariance.trace());
+  message.age = now.isZero() || fix.header.stamp.isZero() ? 0.0 : (now - fix.header.stamp).toSec();
+  message.sequence = sequence;
+  return message;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <geometry_msgs/PoseArray.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <sensor_msgs/NavSatFix.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/FixReport.h"
+#include "multipath_localization/GnssBias.h"
+#include "multipath_localization/LocalizationState.h"
+#include "multipath_localization/core/geodesy.hpp"
+#include "multipath_localization/estimators/localizer.hpp"
+
+/// Messages to the package's vocabulary and back. REP-103 (ENU, metres, radians, yaw 0 = east and
+/// counter-clockwise) and REP-105 (map -> odom -> base_link) are enforced here and nowhere else.
+namespace multipath_localization {
+
+/// A frame's name as tf2 has it, without a leading slash.
+std::string without_slash(const std::string& frame);
+
+/// How fixes are read.
+struct FixParameters {
+  double default_sigma = 3.0;
+  double largest_sigma = 1000.0;
+  double reach = 100e3;
+  int min_fix_status = 0;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// A fix, or the reason why it is refused.
+struct CheckedFix {
+  Reason reason = Reason::kAccepted;
+  GnssFix fix;  ///< counts only when accepted
+};
+
+/// Reads a fix of an antenna at `antenna_in_base` [m].
+///
+/// | in the message                                     | what happens                              |
+/// |----------------------------------------------------|-------------------------------------------|
+/// | stamp zero                                         | refused: zero stamp                       |
+/// | status below `min_fix_status` (NO_FIX is -1)       | refused: no fix                           |
+/// | latitude, longitude NaN or infinite                | refused: not finite                       |
+/// | latitude, longitude out of range                   | refused: invalid position                 |
+/// | further from the datum than `reach`                | refused: invalid position                 |
+/// | altitude NaN                                       | accepted: the datum's altitude            |
+/// | altitude infinite or beyond 100 km                 | refused: invalid position                 |
+/// | covariance type UNKNOWN, whatever the numbers      | `default_sigma` east and north            |
+/// | east or north variance zero                        | `default_sigma` east and north            |
+/// | any horizontal entry NaN or infinite               | refused: invalid covariance               |
+/// | variance negative, or not positive semi-definite   | refused: invalid covariance               |
+/// | variance above `largest_sigma`^2 (1e308 too)       | refused: invalid covariance               |
+/// | type not one of NavSatFix's four                   | refused: invalid covariance               |
+/// | type APPROXIMATED or DIAGONAL_KNOWN                | off-diagonal entries are not looked at    |
+///
+/// Vertical variances are never looked at. Stamps in the future or too old are the Localizer's to refuse.
+CheckedFix to_fix(const sensor_msgs::NavSatFix& message, const LocalFrame& map,
+                  const FixParameters& parameters,
+                  const Eigen::Vector2d& antenna_in_base = Eigen::Vector2d::Zero());
+
+/// The part of `to_fix` that needs no datum: `accepted`, or the reason why not.
+Reason check(const sensor_msgs::NavSatFix& message, const FixParameters& parameters);
+
+Geodetic to_geodetic(const sensor_msgs::NavSatFix& message);
+
+/// Root of the mean horizontal variance as the message declares it [m]; NaN where it declares none.
+double declared_sigma(const sensor_msgs::NavSatFix& message);
+
+/// x, y and yaw of a pose in space. A quaternion of four zeros, as drivers leave it that fill in no pose, is
+/// no turn. Nothing when a number is not finite, the quaternion is not of length one or the position is over
+/// 1e7 m.
+std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose);
+geometry_msgs::Pose to_message(const Pose2& pose);
+
+/// A start from a pose with covariance. Nothing when the pose is unusable or the covariance of x, y, yaw is
+/// not finite, not positive semi-definite or zero on the diagonal.
+std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message);
+
+/// Row-major 6x6 over x, y, z and turns about fixed axes; z, roll and pitch are zero. The x-y block is that
+/// of all hypotheses, so that a consumer is not told more than is known; the rest is that of the dominant
+/// one.
+geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate);
+
+/// The estimate in `map_frame`, with the twist and child frame of the odometry it stands for.
+nav_msgs::Odometry to_odometry(const PoseEstimate& estimate, const nav_msgs::Odometry& odometry,
+                               const std::string& map_frame);
+
+/// A fix in map, without heading.
+nav_msgs::Odometry to_odometry(const GnssFix& fix, const std_msgs::Header& header,
+                               const std::string& child_frame);
+
+/// map -> odom so that odom's pose of the base comes to lie at `base_in_map`.
+geometry_msgs::Transform map_to_odom(const Pose2& base_in_map, const Pose2& base_in_odom);
+
+/// At most `max_poses` of the hypotheses, evenly picked.
+geometry_msgs::PoseArray to_pose_array(const std::vector<Hypothesis>& hypotheses, std::size_t max_poses,
+                                       const std_msgs::Header& header);
+
+GnssBias to_bias(const PoseEstimate& estimate, const std_msgs::Header& header);
+
+LocalizationState to_state(const Localizer& localizer, const std_msgs::Header& header);
+
+/// What became of a fix; stamp and frame of the fix, `age` from then to `now` [s], the `sequence`-th of this
+/// run.
+FixReport to_report(const Innovation& innovation, const sensor_msgs::NavSatFix& fix, const ros::Time& now,
+                    std::uint32_t sequence);
+
+}  // namespace multipath_localization

@@ -1,0 +1,116 @@
+#include "nodes/odometry_reader.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "nodes/conversions.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kFirstInterval = 1e-3;
+
+bool finite(const nav_msgs::Odometry& message) {
+  const auto& position = message.pose.pose.position;
+  const auto& orientation = message.pose.pose.orientation;
+  const auto& twist = message.twist.twist;
+  for (const double value : {position.x, position.y, position.z, orientation.x, orientation.y, orientation.z,
+                             orientation.w, twist.linear.x, twist.linear.y, twist.angular.z}) {
+    if (!std::isfinite(value)) return false;
+  }
+  return true;
+}
+
+bool at_rest(const geometry_msgs::Twist& twist) {
+  return twist.linear.x == 0.0 && twist.linear.y == 0.0 && twist.angular.z == 0.0;
+}
+
+/// Speed and yaw rate of the arc that leads from the origin to `there` in `duration`.
+OdometryIncrement arc_to(const Pose2& there, double duration) {
+  const double half_turn = 0.5 * there.yaw;
+  const double along = std::cos(half_turn) * there.x + std::sin(half_turn) * there.y;
+  const double chord_per_arc = std::abs(half_turn) < 1e-6 ? 1.0 : std::sin(half_turn) / half_turn;
+  OdometryIncrement increment;
+  increment.duration = duration;
+  increment.speed = along / chord_per_arc / duration;
+  increment.yaw_rate = there.yaw / duration;
+  return increment;
+}
+
+}  // namespace
+
+void OdometryParameters::fields(ParameterVisitor& field) {
+  field("max_speed", max_speed, {0.1, 1e3}, "m/s", "odometry that claims more is refused");
+  field("max_yaw_rate", max_yaw_rate, {0.1, 1e3}, "rad/s", "odometry that claims more is refused");
+  field("max_gap", max_gap, {0.1, 600.0}, "s", "longer gaps in odometry are not bridged but start afresh");
+  field("time_jump_threshold", time_jump_threshold, {0.0, 600.0}, "s",
+        "a clock or odometry that goes back by more starts afresh");
+}
+
+OdometryReader::OdometryReader(const OdometryParameters& parameters, std::string map_frame)
+    : parameters_(parameters), map_frame_(std::move(map_frame)) {}
+
+void OdometryReader::clear() {
+  last_pose_.reset();
+  last_stamp_.reset();
+  suspect_.reset();
+}
+
+CheckedOdometry OdometryReader::read(const nav_msgs::Odometry& message) {
+  CheckedOdometry checked;
+  checked.reason = check_content(message);
+  if (checked.reason != Reason::kAccepted) return checked;
+  const double stamp = message.header.stamp.toSec();
+  checked.reason = check_time(stamp, checked.restarted);
+  if (checked.reason != Reason::kAccepted) return checked;
+  if (checked.restarted) clear();
+  const Seen now{stamp, *to_pose2(message.pose.pose)};
+  checked.base_in_odom = now.base_in_odom;
+  checked.increment = motion(message, now);
+  last_pose_ = now;
+  if (std::abs(checked.increment.speed) > parameters_.max_speed ||
+      std::abs(checked.increment.yaw_rate) > parameters_.max_yaw_rate) {
+    checked.reason = Reason::kTooFast;
+    return checked;
+  }
+  last_stamp_ = stamp;
+  return checked;
+}
+
+Reason OdometryReader::check_content(const nav_msgs::Odometry& message) const {
+  if (message.header.stamp.isZero()) return Reason::kZeroStamp;
+  if (without_slash(message.header.frame_id) == map_frame_) return Reason::kInvalidFrame;
+  if (!finite(message)) return Reason::kNotFinite;
+  if (!to_pose2(message.pose.pose)) return Reason::kInvalidPosition;
+  return Reason::kAccepted;
+}
+
+Reason OdometryReader::check_time(double stamp, bool& restarted) {
+  if (!last_stamp_) return Reason::kAccepted;
+  const double step = stamp - *last_stamp_;
+  if (step > 0.0 && step <= parameters_.max_gap) {
+    suspect_.reset();
+    return Reason::kAccepted;
+  }
+  const bool jumped = step > parameters_.max_gap || step < -parameters_.time_jump_threshold;
+  restarted = jumped && suspect_ && stamp > *suspect_ && stamp - *suspect_ <= parameters_.max_gap;
+  if (restarted) return Reason::kAccepted;
+  if (jumped) suspect_ = stamp;
+  return step > 0.0 ? Reason::kFutureStamp : Reason::kOldStamp;
+}
+
+OdometryIncrement OdometryReader::motion(const nav_msgs::Odometry& message, const Seen& now) const {
+  OdometryIncrement increment;
+  if (at_rest(message.twist.twist) && last_pose_ && now.stamp > last_pose_->stamp) {
+    increment = arc_to(inverse(last_pose_->base_in_odom) * now.base_in_odom, now.stamp - last_pose_->stamp);
+  } else {
+    increment.speed = message.twist.twist.linear.x;
+    increment.yaw_rate = message.twist.twist.angular.z;
+  }
+  increment.stamp = now.stamp;
+  increment.duration = last_stamp_ ? now.stamp - *last_stamp_ : kFirstInterval;
+  return increment;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,90 @@
+#include "multipath_localization/simulation/receiver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "multipath_localization/core/random.hpp"
+#include "multipath_localization/simulation/streams.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+Eigen::Vector2d normal2(RandomStream& random, double sigma) {
+  const double x = random.normal();
+  return {sigma * x, sigma * random.normal()};
+}
+
+}  // namespace
+
+void OutageParameters::fields(ParameterVisitor& field) {
+  field("start", start, {0.0, 1e9}, "s", "no fix from here on");
+  field("duration", duration, {0.0, 1e9}, "s", "for this long");
+}
+
+void ReceiverParameters::fields(ParameterVisitor& field) {
+  field("rate", rate, {0.01, 1e4}, "Hz", "of fixes, at most one per simulation step");
+  field("latency", latency, {0.0, 60.0}, "s", "from measurement to delivery");
+  field("latency_jitter", latency_jitter, {0.0, 60.0}, "s", "added to it at most, uniformly");
+  field("antenna_x", antenna_x, {-100.0, 100.0}, "m", "antenna in base, forwards");
+  field("antenna_y", antenna_y, {-100.0, 100.0}, "m", "antenna in base, to the left");
+  field("sigma_open", sigma_open, {0.0, 1e3}, "m", "white noise of each component under open sky");
+  field("sigma_shadow", sigma_shadow, {0.0, 1e3}, "m", "white noise of each component in a zone");
+  field("coloured_sigma", coloured_sigma, {0.0, 1e3}, "m",
+        "Gauss-Markov noise of each component, everywhere");
+  field("coloured_time_constant", coloured_time_constant, {1e-3, 1e6}, "s", "its correlation time");
+  field("declared_sigma_open", declared_sigma_open, {0.0, 1e6}, "m",
+        "what the receiver claims under open sky");
+  field("declared_sigma_shadow", declared_sigma_shadow, {0.0, 1e6}, "m", "what it claims in a zone");
+}
+
+Receiver::Receiver(const ReceiverParameters& parameters, const std::vector<OutageParameters>& outages,
+                   std::uint64_t seed)
+    : parameters_(parameters), outages_(outages), seed_(seed) {
+  RandomStream random(seed_, 0, kReceiverStream);
+  coloured_ = normal2(random, parameters_.coloured_sigma);
+}
+
+Eigen::Vector2d Receiver::antenna_in_base() const { return {parameters_.antenna_x, parameters_.antenna_y}; }
+
+bool Receiver::outage(double time) const {
+  return std::any_of(outages_.begin(), outages_.end(), [time](const OutageParameters& outage) {
+    return time >= outage.start && time < outage.start + outage.duration;
+  });
+}
+
+void Receiver::measure(const Pose2& base_in_map, const Reception& reception, double time) {
+  RandomStream random(seed_, steps_, kReceiverNoiseStream);
+  const double sigma = reception.in_shadow ? parameters_.sigma_shadow : parameters_.sigma_open;
+  const double declared =
+      reception.in_shadow ? parameters_.declared_sigma_shadow : parameters_.declared_sigma_open;
+  GnssFix fix;
+  fix.stamp = time;
+  fix.position =
+      base_in_map * antenna_in_base() + reception.bias + coloured_ + normal2(random, sigma);  // Eq. (9)
+  fix.covariance = declared * declared * Eigen::Matrix2d::Identity();
+  fix.antenna_in_base = antenna_in_base();
+  const double late = parameters_.latency + parameters_.latency_jitter * random.uniform();
+  const double after_last = under_way_.empty() ? time : under_way_.back().time;
+  under_way_.push_back({std::max(time + late, after_last), fix});
+}
+
+std::vector<GnssFix> Receiver::step(const Pose2& base_in_map, const Reception& reception, double time,
+                                    double duration) {
+  RandomStream random(seed_, ++steps_, kReceiverStream);
+  const double kept = std::exp(-duration / parameters_.coloured_time_constant);
+  coloured_ = kept * coloured_ + normal2(random, parameters_.coloured_sigma * std::sqrt(1.0 - kept * kept));
+
+  const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
+  if (due > emitted_ && !outage(time)) measure(base_in_map, reception, time);
+  emitted_ = due;
+
+  std::vector<GnssFix> delivered;
+  while (!under_way_.empty() && under_way_.front().time <= time + 1e-9) {
+    delivered.push_back(under_way_.front().fix);
+    under_way_.pop_front();
+  }
+  return delivered;
+}
+
+}  // namespace multipath_localization

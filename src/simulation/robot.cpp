@@ -1,0 +1,77 @@
+#include "multipath_localization/simulation/robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/core/random.hpp"
+#include "multipath_localization/simulation/streams.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+/// `value` moved towards `goal` by at most `step`.
+double approach(double value, double goal, double step) {
+  return value + std::clamp(goal - value, -step, step);
+}
+
+}  // namespace
+
+void RobotParameters::fields(ParameterVisitor& field) {
+  field("wheelbase", wheelbase, {0.01, 100.0}, "m", "l of [NIS], front to rear axle");
+  field("start_x", start_x, {-1e6, 1e6}, "m", "start in map, east");
+  field("start_y", start_y, {-1e6, 1e6}, "m", "start in map, north");
+  field("start_yaw", start_yaw, {-2.0 * kPi, 2.0 * kPi}, "rad", "start heading, counter-clockwise from east");
+  field("max_speed", max_speed, {0.0, 100.0}, "m/s", "forwards and in reverse");
+  field("max_acceleration", max_acceleration, {1e-3, 1e6}, "m/s^2", "speeding up and braking");
+  field("max_steering_angle", max_steering_angle, {0.0, 1.5}, "rad", "to either side");
+  field("max_steering_rate", max_steering_rate, {1e-3, 1e6}, "rad/s", "of the front wheel");
+  field("alpha", alpha, {0.0, 1e6}, "mixed",
+        "alpha1 ... alpha6 of Eqs. (5)-(7) of [NIS], noise of every step");
+  field("noise_scale", noise_scale, {0.0, 1e3}, "1",
+        "factor on all alpha: printed as they are they turn the front wheel by 17 rad at 10 m/s");
+}
+
+Robot::Robot(const RobotParameters& parameters, std::uint64_t seed)
+    : parameters_(parameters),
+      seed_(seed),
+      pose_{parameters.start_x, parameters.start_y, wrap_angle(parameters.start_yaw)} {
+  if (parameters_.alpha.size() != 6) throw ParameterError("alpha of the robot has not six entries");
+}
+
+void Robot::limit(const MotionCommand& command, double duration) {
+  const MotionCommand goal = command.finite() ? command : MotionCommand{0.0, command_.steering_angle};
+  const double speed = std::clamp(goal.speed, -parameters_.max_speed, parameters_.max_speed);
+  const double angle =
+      std::clamp(goal.steering_angle, -parameters_.max_steering_angle, parameters_.max_steering_angle);
+  command_.speed = approach(command_.speed, speed, parameters_.max_acceleration * duration);
+  command_.steering_angle =
+      approach(command_.steering_angle, angle, parameters_.max_steering_rate * duration);
+}
+
+void Robot::step(const MotionCommand& command, double duration) {
+  limit(command, duration);
+  RandomStream random(seed_, ++steps_, kRobotStream);
+  const auto noise = [&](std::size_t first) {
+    const double v = command_.speed;
+    const double phi = command_.steering_angle;
+    const double variance = parameters_.alpha[first] * v * v + parameters_.alpha[first + 1] * phi * phi;
+    return std::sqrt(parameters_.noise_scale * variance) * random.normal();
+  };
+  MotionCommand moved = command_;
+  double extra_turn = 0.0;
+  // Departs from Eqs. (5)-(7) of [NIS], whose steering terms would push a parked robot about.
+  if (command_.speed != 0.0) {
+    moved.speed += noise(0);           // Eq. (5) of [NIS]
+    moved.steering_angle += noise(2);  // Eq. (6)
+    extra_turn = noise(4);             // Eq. (7)
+  }
+  const double arc_rate = multipath_localization::yaw_rate(moved, parameters_.wheelbase);
+  pose_ = pose_ * displacement({0.0, duration, moved.speed, arc_rate});  // Eq. (8)
+  pose_.yaw = wrap_angle(pose_.yaw + extra_turn * duration);
+  speed_ = moved.speed;
+  yaw_rate_ = arc_rate + extra_turn;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,230 @@
+// Runs estimators over a recorded drive, a bag or a simulated scenario and says how far off they were.
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "multipath_localization/estimators/make_estimator.hpp"
+#include "multipath_localization/evaluation/batch.hpp"
+#include "multipath_localization/evaluation/progress.hpp"
+#include "multipath_localization/evaluation/report.hpp"
+#include "multipath_localization/evaluation/trace.hpp"
+#include "nodes/bag_drive.hpp"
+
+namespace multipath_localization {
+namespace {
+
+namespace fs = std::filesystem;
+namespace po = boost::program_options;
+
+constexpr char kLocalizer[] = "localizer";
+
+struct Options {
+  std::string drive;
+  std::string bag;
+  std::string scenario;
+  BagTopics topics;
+  std::optional<Geodetic> datum;
+  Batch batch;
+  std::vector<std::string> assignments;
+  std::string json_file;
+  std::string plot_file;
+};
+
+/// What is wrong with the command line.
+class UsageError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+Geodetic parse_datum(const std::string& text) {
+  const std::vector<std::string> parts = split(text);
+  try {
+    const Geodetic datum{std::stod(parts.at(0)), std::stod(parts.at(1)),
+                         parts.size() > 2 ? std::stod(parts[2]) : 0.0};
+    if (parts.size() <= 3 && valid(datum)) return datum;
+  } catch (const std::logic_error&) {
+  }
+  throw UsageError("--datum " + text + " is not LATITUDE,LONGITUDE[,ALTITUDE]");
+}
+
+po::options_description describe_options() {
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  po::options_description stream("One stream");
+  stream.add_options()("drive", text("DIR"), "a recording: odometry.csv, fix.csv and truth.csv")(
+      "bag", text("FILE"), "a recording: NavSatFix, Odometry, truth as PoseStamped or Odometry")(
+      "scenario", text("NAME"),
+      "a simulated run, steered on the estimate: config/scenarios/NAME.yaml, or a file");
+  po::options_description runs("Runs");
+  runs.add_options()("estimators", text("A,B"), "names, or 'all'; left out: the default estimator")(
+      "seeds", po::value<int>()->default_value(1)->value_name("N"), "run seeds 1..N")(
+      "jobs", po::value<int>()->default_value(1)->value_name("N"), "runs at a time; changes no result")(
+      "known-start", "tell the estimators the true pose at the start; it is unknown otherwise")(
+      "set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
+      "a parameter of all estimators, of one as NAME.KEY, or of the stream they are put on as localizer.KEY; "
+      "nested "
+      "by dots; may be repeated");
+  po::options_description output("Output");
+  output.add_options()("score-from", po::value<double>()->default_value(0.0)->value_name("S"),
+                       "score from so many seconds on")("json", text("FILE"),
+                                                        "write the figures of each run")(
+      "plot", text("FILE.png"), "draw seed 1: trajectories, and error over time")("help", "print this");
+  po::options_description bag("Of a bag; names go with or without leading slash");
+  bag.add_options()("fix-topic", text("TOPIC"), "left out: gps/fix, or the only NavSatFix")(
+      "odom-topic", text("TOPIC"), "left out: odom, or the only Odometry besides truth")(
+      "truth-topic", text("TOPIC"), "left out: truth; without it nothing is scored")(
+      "shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; left out: <truth>/bias")(
+      "datum", text("LAT,LON[,ALT]"),
+      "origin of truth's frame in degrees; left out: where the median of fix - truth is zero, over the fixes "
+      "in open "
+      "sky if a shadow topic tells which those are, else over all");
+  return po::options_description("Runs estimators over the same stream and scores them against truth.")
+      .add(stream)
+      .add(runs)
+      .add(output)
+      .add(bag);
+}
+
+Options read_options(const po::variables_map& given) {
+  const auto text = [&](const char* key) { return given.count(key) > 0 ? given[key].as<std::string>() : ""; };
+  const auto count = [&](const char* key) {
+    if (given[key].as<int>() < 1) throw UsageError(std::string("--") + key + " is less than 1");
+    return static_cast<std::size_t>(given[key].as<int>());
+  };
+  if (given.count("drive") + given.count("bag") + given.count("scenario") != 1) {
+    throw UsageError("give one of --drive, --bag, --scenario; --help tells more");
+  }
+  Options options;
+  options.drive = text("drive");
+  options.bag = text("bag");
+  options.scenario = text("scenario");
+  options.topics = {text("fix-topic"), text("odom-topic"), text("truth-topic"), text("shadow-topic")};
+  if (given.count("datum") > 0) options.datum = parse_datum(text("datum"));
+  if (given.count("set") > 0) options.assignments = given["set"].as<std::vector<std::string>>();
+  options.json_file = text("json");
+  options.plot_file = text("plot");
+
+  Batch& batch = options.batch;
+  batch.source = options.drive + options.bag + options.scenario;
+  batch.estimators = split(text("estimators"));
+  if (batch.estimators.empty()) batch.estimators = {estimator_names().front()};
+  if (batch.estimators.front() == "all") batch.estimators = estimator_names();
+  batch.seeds = count("seeds");
+  batch.jobs = count("jobs");
+  batch.score_from = given["score-from"].as<double>();
+  batch.settings.known_start = given.count("known-start") > 0;
+  return options;
+}
+
+/// A file of the package, installed or in the source tree.
+std::string package_file(const std::string& installed, const std::string& source) {
+  const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const fs::path& candidate : {here / installed, fs::path(SOURCE_DIR) / source}) {
+    if (fs::exists(candidate)) return candidate.lexically_normal();
+  }
+  throw UsageError("cannot find " + source);
+}
+
+Stream open_stream(const Options& options) {
+  if (!options.drive.empty()) return read_drive(options.drive);
+  if (!options.bag.empty()) return read_bag(options.bag, options.topics, options.datum);
+  if (fs::path(options.scenario).extension() == ".yaml") return load_scenario(options.scenario);
+  const std::string name = "config/scenarios/" + options.scenario + ".yaml";
+  return load_scenario(package_file("../../share/multipath_localization/" + name, name));
+}
+
+/// The parameters of each estimator; settles those of the localizer in the batch.
+std::vector<std::string> settle_parameters(Options& options, const Stream& stream) {
+  std::vector<std::string> owners = estimator_names();
+  owners.emplace_back(kLocalizer);
+  const ParameterOverrides overrides(options.assignments, owners);
+  const std::vector<std::string>& run = options.batch.estimators;
+  for (const std::string& owner : overrides.owners()) {
+    if (owner != kLocalizer && std::find(run.begin(), run.end(), owner) == run.end()) {
+      throw UsageError("--set is for " + owner + ", which is not run");
+    }
+  }
+  load(overrides.of(kLocalizer), options.batch.settings.localizer, kLocalizer);
+  return parameters_of(options.batch, stream, overrides);
+}
+
+void write_file(const std::string& file, const std::string& content) {
+  std::ofstream out(file);
+  out << content;
+  if (!out.flush()) throw std::runtime_error("cannot write " + file);
+}
+
+std::string shell_quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+void plot(const std::string& file, const std::string& trace) {
+  const std::string script = package_file("plot_evaluation", "scripts/plot_evaluation");
+  const std::string trace_file = file + ".trace.json";
+  write_file(trace_file, trace);
+  const std::string command =
+      shell_quoted(script) + " " + shell_quoted(trace_file) + " " + shell_quoted(file);
+  const int status = std::system(command.c_str());
+  fs::remove(trace_file);
+  if (status != 0) throw std::runtime_error("cannot draw " + file);
+}
+
+std::vector<Run> make_runs(const Batch& batch, const Stream& stream,
+                           const std::vector<std::string>& parameters) {
+  ProgressBar bar(batch.estimators.size() * batch.seeds);
+  return run_batch(batch, stream, parameters, [&](std::size_t run, double part) { bar.update(run, part); });
+}
+
+int evaluate(Options options) {
+  const Stream stream = open_stream(options);
+  const std::vector<std::string> parameters = settle_parameters(options, stream);
+  const std::string title = std::visit([](const auto& s) { return s.name; }, stream);
+  if (const auto* drive = std::get_if<Drive>(&stream)) {
+    for (const std::string& notice : drive->notices) std::cerr << title << ": " << notice << "\n";
+  }
+  const std::vector<Run> runs = make_runs(options.batch, stream, parameters);
+  std::cout << to_table(runs);
+  if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
+  if (!options.plot_file.empty()) plot(options.plot_file, to_trace(title, stream, runs));
+  int failed = 0;
+  for (const Run& run : runs) {
+    if (run.failure.empty()) continue;
+    std::cerr << run.estimator << ", seed " << run.seed << ", did not end: " << run.failure << "\n";
+    ++failed;
+  }
+  return failed == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace multipath_localization
+
+int main(int argc, char** argv) {
+  using namespace multipath_localization;
+  try {
+    const po::options_description description = describe_options();
+    po::variables_map given;
+    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::store(po::parse_command_line(argc, argv, description, style), given);
+    if (given.count("help") > 0) {
+      std::cout << description;
+      return 0;
+    }
+    return evaluate(read_options(given));
+  } catch (const std::exception& error) {
+    std::cerr << "evaluate: " << error.what() << "\n";
+    return 2;
+  }
+}

@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "multipath_localization/core/estimate.hpp"
+
+namespace multipath_localization {
+namespace {
+
+TEST(Reason, EachHasATextOfItsOwn) {
+  std::set<std::string> texts;
+  for (int i = 0; i <= static_cast<int>(Reason::kInvalidFrame); ++i) {
+    const std::string text(to_string(static_cast<Reason>(i)));
+    EXPECT_NE(text, "unknown") << i;
+    EXPECT_TRUE(texts.insert(text).second) << text;
+  }
+}
+
+TEST(Innovation, IsAcceptedForOneReasonOnly) {
+  for (int i = 0; i <= static_cast<int>(Reason::kInvalidFrame); ++i) {
+    const auto reason = static_cast<Reason>(i);
+    EXPECT_EQ(refused(reason).accepted(), reason == Reason::kAccepted);
+    EXPECT_EQ(refused(reason).reason, reason);
+  }
+  EXPECT_FALSE(Innovation{}.accepted());
+}
+
+TEST(PoseEstimate, CountsForNothingUntilMeasured) {
+  EXPECT_FALSE(PoseEstimate{}.valid);
+  EXPECT_FALSE(PoseEstimate{}.aligned);
+}
+
+}  // namespace
+}  // namespace multipath_localization

@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include "multipath_localization/core/measurements.hpp"
+#include "pose_near.hpp"
+
+namespace multipath_localization {
+namespace {
+
+const std::vector<std::pair<double, double>> kSpeedsAndYawRates = {
+    {1.5, 0.0}, {1.5, 0.4}, {-0.7, 0.4}, {10.0, -2.0}, {0.0, 1.0}, {2.0, 1e-9}, {2.0, -4e-4}};
+
+Pose2 by_euler(const OdometryIncrement& u, int steps) {
+  Pose2 pose;
+  const double dt = u.duration / steps;
+  for (int i = 0; i < steps; ++i) {
+    pose.x += u.speed * dt * std::cos(pose.yaw);
+    pose.y += u.speed * dt * std::sin(pose.yaw);
+    pose.yaw += u.yaw_rate * dt;
+  }
+  return pose;
+}
+
+TEST(Displacement, IsWhatFineEulerIntegrationTendsTo) {
+  for (const auto& [speed, yaw_rate] : kSpeedsAndYawRates) {
+    const OdometryIncrement u{0.0, 1.3, speed, yaw_rate};
+    EXPECT_TRUE(PoseNear(displacement(u), by_euler(u, 100000), 3e-4)) << speed << " " << yaw_rate;
+  }
+}
+
+TEST(Displacement, IsEquation3OfNishidaWhereThatIsDefined) {
+  for (const auto& [v, w] : kSpeedsAndYawRates) {
+    if (std::abs(w) < 1e-3) continue;
+    const double dt = 0.8;
+    const Pose2 expected{v / w * std::sin(w * dt), v / w * (1.0 - std::cos(w * dt)), wrap_angle(w * dt)};
+    EXPECT_TRUE(PoseNear(displacement({0.0, dt, v, w}), expected, 1e-12)) << v << " " << w;
+  }
+}
+
+TEST(Displacement, HasNoStepAtZeroYawRateNorWhereItsSeriesEnds) {
+  const double dt = 0.1;
+  Pose2 last = displacement({0.0, dt, 20.0, -0.01});
+  for (double yaw_rate = -0.01; yaw_rate < 0.01; yaw_rate += 1e-6) {
+    const Pose2 next = displacement({0.0, dt, 20.0, yaw_rate});
+    ASSERT_TRUE(PoseNear(next, last, 2e-7)) << yaw_rate;
+    last = next;
+  }
+}
+
+TEST(Displacement, OfPartsComposesToThatOfTheWhole) {
+  for (const auto& [speed, yaw_rate] : kSpeedsAndYawRates) {
+    const Pose2 whole = displacement({0.0, 1.0, speed, yaw_rate});
+    const Pose2 parts = displacement({0.0, 0.3, speed, yaw_rate}) * displacement({0.0, 0.7, speed, yaw_rate});
+    EXPECT_TRUE(PoseNear(parts, whole, 1e-12));
+  }
+}
+
+TEST(Displacement, OfAFullTurnEndsWhereItBegan) {
+  EXPECT_TRUE(PoseNear(displacement({0.0, 2.0 * kPi, 3.0, 1.0}), Pose2{}, 1e-12));
+}
+
+TEST(Measurement, KnowsItsStamp) {
+  GnssFix fix;
+  fix.stamp = 12.5;
+  EXPECT_EQ(stamp_of(fix), 12.5);
+}
+
+}  // namespace
+}  // namespace multipath_localization

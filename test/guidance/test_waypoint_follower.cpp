@@ -1,0 +1,203 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/guidance/waypoint_follower.hpp"
+
+namespace multipath_localization {
+namespace {
+
+const std::vector<Eigen::Vector2d> kSquare = {{20.0, 0.0}, {20.0, 20.0}, {0.0, 20.0}, {0.0, 0.0}};
+
+Pose2 driven(const Pose2& pose, const MotionCommand& u, double wheelbase, double duration) {
+  return pose * displacement({0.0, duration, u.speed, yaw_rate(u, wheelbase)});
+}
+
+/// Drives by exact poses until finished or `duration` [s] is over; the largest distance from the line y = 0
+/// after x = 10.
+double largest_offset(WaypointFollower& follower, Pose2 pose, double wheelbase, double duration) {
+  double largest = 0.0;
+  for (double time = 0.0; time < duration && !follower.finished(); time += 0.02) {
+    pose = driven(pose, follower.command(pose, 0.0, Trust::kGood).command, wheelbase, 0.02);
+    if (pose.x > 10.0) largest = std::max(largest, std::abs(pose.y));
+  }
+  return largest;
+}
+
+class Law : public testing::TestWithParam<const char*> {
+ protected:
+  WaypointFollowerParameters parameters() const {
+    WaypointFollowerParameters p;
+    p.law = GetParam();
+    return p;
+  }
+};
+
+TEST_P(Law, DrivesLapAfterLapOnExactPoses) {
+  WaypointFollower follower(parameters(), kSquare);
+  Pose2 pose{0.0, 0.0, 0.0};
+  for (double time = 0.0; time < 170.0; time += 0.02) {  // 255 m of 80 m a lap
+    pose = driven(pose, follower.command(pose, 0.0, Trust::kGood).command, 0.5, 0.02);
+    ASSERT_LT((pose.position() - Eigen::Vector2d(10.0, 10.0)).lpNorm<Eigen::Infinity>(), 12.0);
+  }
+  EXPECT_EQ(follower.laps(), 3);
+}
+
+TEST_P(Law, FinishesWithoutLoop) {
+  WaypointFollowerParameters p = parameters();
+  p.loop = false;
+  WaypointFollower follower(p, {{10.0, 0.0}, {20.0, 5.0}});
+  largest_offset(follower, {0.0, 0.0, 0.0}, p.wheelbase, 60.0);
+  EXPECT_TRUE(follower.finished());
+  EXPECT_DOUBLE_EQ(follower.progress(), 1.0);
+  const FollowerOutput output = follower.command({20.0, 5.0, 0.0}, 0.0, Trust::kGood);
+  EXPECT_EQ(output.status, "finished");
+  EXPECT_EQ(output.command.speed, 0.0);
+}
+
+TEST_P(Law, TurnsRoundWhenHeadingTheWrongWay) {
+  WaypointFollowerParameters p = parameters();
+  p.loop = false;
+  WaypointFollower follower(p, {{20.0, 0.0}});
+  largest_offset(follower, {0.0, 0.0, 3.1}, p.wheelbase, 60.0);
+  EXPECT_TRUE(follower.finished());
+}
+
+TEST_P(Law, SteersWithinTheLimit) {
+  WaypointFollower follower(parameters(), {{20.0, 0.0}});
+  for (double yaw = -3.0; yaw < 3.1; yaw += 0.1) {
+    const MotionCommand u = follower.command({0.0, 0.0, yaw}, 0.0, Trust::kGood).command;
+    EXPECT_LE(std::abs(u.steering_angle), parameters().max_steering_angle);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(WaypointFollower, Law, testing::Values("nishida", "path_tracking"));
+
+TEST(WaypointFollower, PathTrackingComesBackToTheLine) {
+  WaypointFollowerParameters p;
+  WaypointFollower follower(p, {{0.0, 0.0}, {60.0, 0.0}});
+  follower.command({0.0, 0.0, 0.0}, 0.0, Trust::kGood);  // passes the first: the line is y = 0
+  ASSERT_EQ(follower.target(), 1U);
+  EXPECT_LT(largest_offset(follower, {0.0, 2.0, 0.0}, p.wheelbase, 35.0), 0.05);
+}
+
+TEST(WaypointFollower, NishidaSteersByTheHeadingErrorTimesItsGain) {  // Eqs. (36) and (38) of [NIS]
+  WaypointFollowerParameters p;
+  p.law = "nishida";
+  WaypointFollower follower(p, {{10.0, 10.0}});
+  const MotionCommand u = follower.command({0.0, 0.0, 0.5}, 0.0, Trust::kGood).command;
+  EXPECT_NEAR(u.steering_angle, 0.8 * (0.25 * kPi - 0.5), 1e-12);
+  EXPECT_EQ(u.speed, p.cruise_speed);
+}
+
+TEST(WaypointFollower, NishidaTakesTheSmallestTurnAcrossPi) {
+  WaypointFollowerParameters p;
+  p.law = "nishida";
+  WaypointFollower follower(p, {{-10.0, -1.0}});
+  const MotionCommand u = follower.command({0.0, 0.0, 3.0}, 0.0, Trust::kGood).command;
+  EXPECT_NEAR(u.steering_angle, 0.8 * (std::atan2(-1.0, -10.0) + 2.0 * kPi - 3.0), 1e-12);
+}
+
+TEST(WaypointFollower, PassesByRadius) {
+  WaypointFollower follower(WaypointFollowerParameters{}, kSquare);
+  follower.command({0.0, 10.0, 0.0}, 0.0, Trust::kGood);
+  follower.command({18.9, 0.0, 0.0}, 0.0, Trust::kGood);
+  EXPECT_EQ(follower.target(), 0U);
+  follower.command({19.1, 0.0, 0.0}, 0.0, Trust::kGood);
+  EXPECT_EQ(follower.target(), 1U);
+}
+
+TEST(WaypointFollower, PassesByCrossingTheLineOfAMissedWaypoint) {
+  WaypointFollower follower(WaypointFollowerParameters{}, kSquare);
+  follower.command({0.0, 0.0, 0.0}, 0.0, Trust::kGood);
+  follower.command({19.9, 3.0, 0.0}, 0.0, Trust::kGood);
+  EXPECT_EQ(follower.target(), 0U);
+  follower.command({20.1, 6.0, 0.0}, 0.0, Trust::kGood);  // too far aside
+  EXPECT_EQ(follower.target(), 0U);
+  follower.command({20.1, 3.0, 0.0}, 0.0, Trust::kGood);
+  EXPECT_EQ(follower.target(), 1U);
+}
+
+TEST(WaypointFollower, CountsLapsAndProgress) {
+  WaypointFollower follower(WaypointFollowerParameters{}, kSquare);
+  EXPECT_EQ(follower.progress(), 0.0);
+  for (int i = 0; i < 6; ++i) {
+    const Eigen::Vector2d& at = kSquare[static_cast<std::size_t>(i) % 4];
+    follower.command({at.x(), at.y(), 0.0}, 0.0, Trust::kGood);
+  }
+  EXPECT_EQ(follower.laps(), 1);
+  EXPECT_DOUBLE_EQ(follower.progress(), 1.5);
+  EXPECT_EQ(follower.target(), 2U);
+  EXPECT_FALSE(follower.finished());
+}
+
+TEST(WaypointFollower, DoesNotHangOnWaypointsAllAlike) {
+  WaypointFollower follower(WaypointFollowerParameters{}, {{0.0, 0.0}, {0.0, 0.0}});
+  EXPECT_TRUE(follower.command({0.0, 0.0, 0.0}, 0.0, Trust::kGood).command.finite());
+}
+
+TEST(WaypointFollower, StopsAndSaysWhy) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  WaypointFollower follower(WaypointFollowerParameters{}, kSquare);
+  const auto stop = [&](const Pose2& pose, double age, Trust state) {
+    const FollowerOutput output = follower.command(pose, age, state);
+    EXPECT_EQ(output.command.speed, 0.0) << output.status;
+    EXPECT_EQ(output.command.steering_angle, 0.0) << output.status;
+    return output.status;
+  };
+  EXPECT_EQ(stop({}, 1.2, Trust::kGood), "stopped: pose is 1.2 s old");
+  EXPECT_EQ(stop({}, nan, Trust::kGood), "stopped: no pose yet");
+  EXPECT_EQ(stop({nan, 0.0, 0.0}, 0.0, Trust::kGood), "stopped: pose not finite");
+  EXPECT_EQ(stop({}, 0.0, Trust::kNotReady), "stopped: localisation not ready");
+  EXPECT_EQ(stop({}, 0.0, Trust::kLost), "stopped: localisation lost");
+  EXPECT_EQ(follower.command({}, 0.0, Trust::kGood).status, "driving");
+  WaypointFollower idle(WaypointFollowerParameters{}, {});
+  EXPECT_EQ(idle.command({}, 0.0, Trust::kGood).status, "stopped: no waypoints");
+}
+
+TEST(WaypointFollower, SlowsByTheState) {
+  WaypointFollowerParameters p;
+  p.cruise_speed = 2.0;
+  p.multipath_speed_ratio = 0.5;
+  p.dead_reckoning_speed_ratio = 0.0;
+  WaypointFollower follower(p, kSquare);
+  EXPECT_EQ(follower.command({}, 0.0, Trust::kGood).command.speed, 2.0);
+  const FollowerOutput slow = follower.command({}, 0.0, Trust::kMultipath);
+  EXPECT_EQ(slow.command.speed, 1.0);
+  EXPECT_EQ(slow.status, "slow: fixes are biased");
+  const FollowerOutput held = follower.command({}, 0.0, Trust::kDeadReckoning);
+  EXPECT_EQ(held.command.speed, 0.0);
+  EXPECT_EQ(held.status, "stopped: no usable fix");
+}
+
+TEST(WaypointFollower, StartsStraightUntilTheHeadingWasConfirmed) {
+  WaypointFollower follower(WaypointFollowerParameters{}, kSquare);
+  const Pose2 beside{19.5, 0.0, 2.0};
+  const FollowerOutput first = follower.command(beside, 0.0, Trust::kAligning);
+  EXPECT_EQ(first.command.steering_angle, 0.0);
+  EXPECT_GT(first.command.speed, 0.0);
+  EXPECT_EQ(follower.target(), 0U);  // a pose like this passes nothing
+  follower.command(beside, 0.0, Trust::kGood);
+  EXPECT_EQ(follower.target(), 1U);
+  EXPECT_NE(follower.command(beside, 0.0, Trust::kAligning).command.steering_angle, 0.0);
+}
+
+TEST(WaypointFollower, StartsStraightForAtMostTheAligningDistance) {
+  WaypointFollowerParameters p;
+  p.aligning_distance = 3.0;
+  WaypointFollower follower(p, kSquare);
+  follower.command({0.0, 0.0, 0.5}, 0.0, Trust::kAligning);
+  EXPECT_EQ(follower.command({2.9, 0.0, 0.5}, 0.0, Trust::kAligning).command.steering_angle, 0.0);
+  EXPECT_NE(follower.command({3.1, 0.0, 0.5}, 0.0, Trust::kAligning).command.steering_angle, 0.0);
+}
+
+TEST(WaypointFollower, RefusesAWaypointThatIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(WaypointFollower(WaypointFollowerParameters{}, {{0.0, nan}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace multipath_localization

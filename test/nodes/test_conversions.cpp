@@ -1,0 +1,240 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "nodes/conversions.hpp"
+
+namespace multipath_localization {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+const LocalFrame& berlin() {
+  static const LocalFrame frame(Geodetic{52.5, 13.4, 40.0});
+  return frame;
+}
+
+sensor_msgs::NavSatFix good_fix() {
+  sensor_msgs::NavSatFix fix;
+  fix.header.stamp = ros::Time(100, 500000000);
+  fix.header.frame_id = "gps";
+  fix.status.status = 0;
+  fix.latitude = 52.501;
+  fix.longitude = 13.402;
+  fix.altitude = 45.0;
+  fix.position_covariance = {4.0, 1.0, 0.0, 1.0, 9.0, 0.0, 0.0, 0.0, 16.0};
+  fix.position_covariance_type = 3;
+  return fix;
+}
+
+Reason reason(const sensor_msgs::NavSatFix& fix) { return to_fix(fix, berlin(), FixParameters{}).reason; }
+
+template <class Change>
+Reason reason_after(Change change) {
+  sensor_msgs::NavSatFix fix = good_fix();
+  change(fix);
+  return reason(fix);
+}
+
+TEST(ToFix, KeepsStampPlaceCovarianceAndLeverArm) {
+  const CheckedFix checked = to_fix(good_fix(), berlin(), FixParameters{}, {0.3, 0.1});
+  ASSERT_EQ(checked.reason, Reason::kAccepted);
+  EXPECT_EQ(checked.fix.stamp, 100.5);
+  EXPECT_TRUE(checked.fix.position.isApprox(berlin().to_map({52.501, 13.402, 45.0})));
+  EXPECT_GT(checked.fix.position.x(), 0.0) << "east of the datum";
+  EXPECT_GT(checked.fix.position.y(), 0.0) << "north of the datum";
+  EXPECT_EQ(checked.fix.covariance, (Eigen::Matrix2d() << 4.0, 1.0, 1.0, 9.0).finished());
+  EXPECT_EQ(checked.fix.antenna_in_base, Eigen::Vector2d(0.3, 0.1));
+}
+
+TEST(ToFix, RefusesStampOfZero) {
+  EXPECT_EQ(reason_after([](auto& f) { f.header.stamp = ros::Time(); }), Reason::kZeroStamp);
+}
+
+TEST(ToFix, RefusesStatusBelowTheOneAskedFor) {
+  sensor_msgs::NavSatFix fix = good_fix();
+  fix.status.status = -1;
+  EXPECT_EQ(reason(fix), Reason::kNoFix);
+  FixParameters any;
+  any.min_fix_status = -1;
+  EXPECT_EQ(to_fix(fix, berlin(), any).reason, Reason::kAccepted);
+}
+
+TEST(ToFix, RefusesPlacesThatAreNone) {
+  EXPECT_EQ(reason_after([](auto& f) { f.latitude = kNan; }), Reason::kNotFinite);
+  EXPECT_EQ(reason_after([](auto& f) { f.longitude = kInfinity; }), Reason::kNotFinite);
+  EXPECT_EQ(reason_after([](auto& f) { f.latitude = 90.1; }), Reason::kInvalidPosition);
+  EXPECT_EQ(reason_after([](auto& f) { f.longitude = 1e308; }), Reason::kInvalidPosition);
+  EXPECT_EQ(reason_after([](auto& f) { f.altitude = 1e308; }), Reason::kInvalidPosition);
+  EXPECT_EQ(reason_after([](auto& f) { f.altitude = -kInfinity; }), Reason::kInvalidPosition);
+}
+
+TEST(ToFix, RefusesWhatTheMapDoesNotReach) {
+  EXPECT_EQ(reason_after([](auto& f) { f.latitude = 53.3; }), Reason::kAccepted) << "89 km";
+  EXPECT_EQ(reason_after([](auto& f) { f.latitude = 53.5; }), Reason::kInvalidPosition) << "111 km";
+  EXPECT_EQ(reason_after([](auto& f) { f.latitude = f.longitude = 0.0; }), Reason::kInvalidPosition);
+}
+
+TEST(ToFix, AcceptsAltitudeNaN) {
+  sensor_msgs::NavSatFix fix = good_fix();
+  fix.altitude = kNan;
+  const CheckedFix checked = to_fix(fix, berlin(), FixParameters{});
+  ASSERT_EQ(checked.reason, Reason::kAccepted);
+  EXPECT_TRUE(checked.fix.position.allFinite());
+}
+
+TEST(ToFix, TakesTheDefaultWhereNoCovarianceIsDeclared) {
+  FixParameters parameters;
+  parameters.default_sigma = 2.0;
+  const Eigen::Matrix2d expected = 4.0 * Eigen::Matrix2d::Identity();
+  sensor_msgs::NavSatFix zero = good_fix();
+  zero.position_covariance.assign(0.0);
+  EXPECT_EQ(to_fix(zero, berlin(), parameters).fix.covariance, expected);
+  sensor_msgs::NavSatFix unknown = good_fix();
+  unknown.position_covariance_type = 0;
+  unknown.position_covariance.assign(kNan);
+  EXPECT_EQ(to_fix(unknown, berlin(), parameters).reason, Reason::kAccepted);
+  EXPECT_EQ(to_fix(unknown, berlin(), parameters).fix.covariance, expected);
+  EXPECT_TRUE(std::isnan(declared_sigma(unknown)));
+}
+
+TEST(ToFix, RefusesCovariancesThatAreNone) {
+  const Reason none = Reason::kInvalidCovariance;
+  EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[0] = kNan; }), none);
+  EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[4] = kInfinity; }), none);
+  EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[0] = -1.0; }), none);
+  EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[4] = 1e308; }), none);
+  EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[1] = f.position_covariance[3] = 7.0; }), none);
+  EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[1] = -1.0; }), none) << "not symmetric";
+  EXPECT_EQ(reason_after([](auto& f) { f.position_covariance_type = 4; }), none);
+}
+
+TEST(ToFix, LooksAtNothingVerticalAndAtOffDiagonalsOnlyWhereTheyAreKnown) {
+  EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[8] = kNan; }), Reason::kAccepted);
+  sensor_msgs::NavSatFix diagonal = good_fix();
+  diagonal.position_covariance_type = 2;
+  diagonal.position_covariance[1] = kNan;
+  EXPECT_EQ(to_fix(diagonal, berlin(), FixParameters{}).fix.covariance,
+            Eigen::Matrix2d(Eigen::Vector2d(4.0, 9.0).asDiagonal()));
+}
+
+TEST(ToPose2, IsUndoneByToMessage) {
+  for (const double yaw : {-3.1, -1.0, 0.0, 0.5, kPi}) {
+    const auto back = to_pose2(to_message(Pose2{1.5, -2.0, yaw}));
+    ASSERT_TRUE(back);
+    EXPECT_NEAR(back->x, 1.5, 1e-12);
+    EXPECT_NEAR(back->y, -2.0, 1e-12);
+    EXPECT_NEAR(angle_difference(back->yaw, yaw), 0.0, 1e-12);
+  }
+}
+
+TEST(ToPose2, TakesYawOutOfATiltedPose) {
+  geometry_msgs::Pose pose;  // yaw 90 degrees after a roll of 10 degrees about x
+  const double roll = 10.0 * kPi / 180.0;
+  pose.orientation.w = std::cos(0.5 * roll) * std::sqrt(0.5);
+  pose.orientation.x = std::sin(0.5 * roll) * std::sqrt(0.5);
+  pose.orientation.y = std::sin(0.5 * roll) * std::sqrt(0.5);
+  pose.orientation.z = std::cos(0.5 * roll) * std::sqrt(0.5);
+  ASSERT_TRUE(to_pose2(pose));
+  EXPECT_NEAR(to_pose2(pose)->yaw, 0.5 * kPi, 1e-12);
+}
+
+TEST(ToPose2, RefusesWhatIsNoPose) {
+  geometry_msgs::Pose pose;
+  EXPECT_TRUE(to_pose2(pose)) << "four zeros: no orientation filled in";
+  pose.orientation.w = 0.5;
+  EXPECT_FALSE(to_pose2(pose));
+  pose.orientation.w = 1.0;
+  pose.position.z = 1e308;
+  EXPECT_FALSE(to_pose2(pose));
+  pose.position.z = kNan;
+  EXPECT_FALSE(to_pose2(pose));
+}
+
+TEST(ToPrior, TakesXYYawOutOfSixBySix) {
+  geometry_msgs::PoseWithCovarianceStamped message;
+  message.pose.pose = to_message(Pose2{1.0, 2.0, 0.5});
+  message.pose.covariance[0] = 0.25;
+  message.pose.covariance[7] = 0.5;
+  message.pose.covariance[1] = message.pose.covariance[6] = 0.1;
+  message.pose.covariance[35] = 0.07;
+  const auto prior = to_prior(message);
+  ASSERT_TRUE(prior);
+  const Eigen::Matrix3d expected =
+      (Eigen::Matrix3d() << 0.25, 0.1, 0.0, 0.1, 0.5, 0.0, 0.0, 0.0, 0.07).finished();
+  EXPECT_EQ(prior->covariance, expected);
+  message.pose.covariance[35] = 0.0;
+  EXPECT_FALSE(to_prior(message)) << "nobody knows a heading that well";
+  message.pose.covariance[35] = kNan;
+  EXPECT_FALSE(to_prior(message));
+}
+
+PoseEstimate some_estimate() {
+  PoseEstimate estimate;
+  estimate.valid = true;
+  estimate.pose = {10.0, -3.0, 2.0};
+  estimate.covariance << 1.0, 0.1, 0.2, 0.1, 2.0, 0.3, 0.2, 0.3, 0.5;
+  estimate.position_covariance_overall << 4.0, 0.4, 0.4, 5.0;
+  return estimate;
+}
+
+TEST(ToMessage, FillsARowMajorSixBySix) {
+  const geometry_msgs::PoseWithCovariance message = to_message(some_estimate());
+  Eigen::Matrix<double, 6, 6> covariance;
+  for (int i = 0; i < 36; ++i) covariance(i / 6, i % 6) = message.covariance[static_cast<std::size_t>(i)];
+  EXPECT_EQ((covariance - covariance.transpose()).norm(), 0.0);
+  EXPECT_EQ(covariance(0, 0), 4.0);
+  EXPECT_EQ(covariance(0, 1), 0.4);
+  EXPECT_EQ(covariance(1, 1), 5.0);
+  EXPECT_EQ(covariance(0, 5), 0.2);
+  EXPECT_EQ(covariance(1, 5), 0.3);
+  EXPECT_EQ(covariance(5, 5), 0.5);
+  EXPECT_EQ(covariance.block(2, 0, 3, 6).cwiseAbs().sum(), 0.0);
+}
+
+TEST(MapToOdom, BringsOdomsPoseToTheEstimate) {
+  const Pose2 in_map{10.0, -3.0, 2.0};
+  const Pose2 in_odom{1.0, 5.0, -2.5};
+  const geometry_msgs::Transform transform = map_to_odom(in_map, in_odom);
+  const Pose2 odom_in_map{transform.translation.x, transform.translation.y,
+                          2.0 * std::atan2(transform.rotation.z, transform.rotation.w)};
+  const Pose2 back = odom_in_map * in_odom;
+  EXPECT_NEAR((back.position() - in_map.position()).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(angle_difference(back.yaw, in_map.yaw), 0.0, 1e-9);
+}
+
+TEST(ToPoseArray, CapsTheCloudAndKeepsItsSpread) {
+  std::vector<Hypothesis> cloud(1000);
+  for (std::size_t i = 0; i < cloud.size(); ++i) cloud[i].pose.x = static_cast<double>(i);
+  const geometry_msgs::PoseArray array = to_pose_array(cloud, 10, std_msgs::Header());
+  ASSERT_EQ(array.poses.size(), 10u);
+  EXPECT_EQ(array.poses[9].position.x, 900.0);
+  EXPECT_EQ(to_pose_array(cloud, 5000, std_msgs::Header()).poses.size(), 1000u);
+  EXPECT_TRUE(to_pose_array({}, 10, std_msgs::Header()).poses.empty());
+}
+
+TEST(ToReport, SaysWhatBecameOfAFix) {
+  Innovation innovation = refused(Reason::kGated);
+  innovation.innovation = {3.0, -4.0};
+  innovation.covariance = 2.25 * Eigen::Matrix2d::Identity();
+  const FixReport report = to_report(innovation, good_fix(), ros::Time(101, 0), 7);
+  EXPECT_FALSE(report.accepted);
+  EXPECT_EQ(report.reason, "gated");
+  EXPECT_EQ(report.header.stamp, good_fix().header.stamp);
+  EXPECT_EQ(report.innovation_y, -4.0);
+  EXPECT_NEAR(report.declared_sigma, std::sqrt(6.5), 1e-12);
+  EXPECT_NEAR(report.predicted_sigma, 1.5, 1e-12);
+  EXPECT_NEAR(report.age, 0.5, 1e-9);
+  EXPECT_EQ(report.sequence, 7u);
+}
+
+TEST(Frames, LoseALeadingSlash) {
+  EXPECT_EQ(without_slash("/gps"), "gps");
+  EXPECT_EQ(without_slash("gps"), "gps");
+  EXPECT_EQ(without_slash(""), "");
+}
+
+}  // namespace
+}  // namespace multipath_localization

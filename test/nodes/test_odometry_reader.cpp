@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "nodes/conversions.hpp"
+#include "nodes/odometry_reader.hpp"
+
+namespace multipath_localization {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+nav_msgs::Odometry message(double stamp, double speed = 0.0, double yaw_rate = 0.0, const Pose2& pose = {}) {
+  nav_msgs::Odometry odometry;
+  odometry.header.stamp = ros::Time(stamp);
+  odometry.header.frame_id = "odom";
+  odometry.pose.pose = to_message(pose);
+  odometry.twist.twist.linear.x = speed;
+  odometry.twist.twist.angular.z = yaw_rate;
+  return odometry;
+}
+
+OdometryReader reader() { return OdometryReader(OdometryParameters{}, "map"); }
+
+TEST(OdometryReader, TakesTheTwistOverTheTimeSinceTheMessageBefore) {
+  OdometryReader odometry = reader();
+  EXPECT_EQ(odometry.read(message(10.0, 1.0)).reason, Reason::kAccepted);
+  const CheckedOdometry checked = odometry.read(message(10.5, -2.0, 0.25));
+  ASSERT_EQ(checked.reason, Reason::kAccepted);
+  EXPECT_EQ(checked.increment.stamp, 10.5);
+  EXPECT_NEAR(checked.increment.duration, 0.5, 1e-9);
+  EXPECT_EQ(checked.increment.speed, -2.0);
+  EXPECT_EQ(checked.increment.yaw_rate, 0.25);
+}
+
+TEST(OdometryReader, TakesPoseDifferencesWhereTheTwistIsEmpty) {
+  for (const double speed : {1.5, -1.5}) {
+    OdometryReader odometry = reader();
+    Pose2 pose{4.0, 5.0, 3.0};
+    odometry.read(message(10.0, 0.0, 0.0, pose));
+    OdometryIncrement driven{10.1, 0.1, speed, 0.7};
+    pose = pose * displacement(driven);
+    const CheckedOdometry checked = odometry.read(message(10.1, 0.0, 0.0, pose));
+    ASSERT_EQ(checked.reason, Reason::kAccepted);
+    EXPECT_NEAR(checked.increment.speed, speed, 1e-6) << "signed";
+    EXPECT_NEAR(checked.increment.yaw_rate, 0.7, 1e-6);
+  }
+}
+
+TEST(OdometryReader, StandsStillWhereNeitherTwistNorPoseMoves) {
+  OdometryReader odometry = reader();
+  odometry.read(message(10.0, 0.0, 0.0, {1.0, 1.0, 1.0}));
+  const CheckedOdometry checked = odometry.read(message(10.1, 0.0, 0.0, {1.0, 1.0, 1.0}));
+  EXPECT_EQ(checked.increment.speed, 0.0);
+  EXPECT_EQ(checked.increment.yaw_rate, 0.0);
+}
+
+TEST(OdometryReader, RefusesStampsThatDoNotAdvance) {
+  OdometryReader odometry = reader();
+  odometry.read(message(10.0, 1.0));
+  odometry.read(message(10.1, 1.0));
+  EXPECT_EQ(odometry.read(message(10.1, 1.0)).reason, Reason::kOldStamp) << "repeated";
+  EXPECT_EQ(odometry.read(message(10.05, 1.0)).reason, Reason::kOldStamp) << "going back";
+  EXPECT_EQ(odometry.read(message(10.08, 1.0)).reason, Reason::kOldStamp) << "still no jump";
+  EXPECT_EQ(odometry.read(message(0.0, 1.0)).reason, Reason::kZeroStamp);
+  EXPECT_EQ(odometry.read(message(10.2, 1.0)).reason, Reason::kAccepted);
+}
+
+TEST(OdometryReader, BridgesWhatWasRefused) {
+  OdometryReader odometry = reader();
+  odometry.read(message(10.0, 1.0));
+  odometry.read(message(10.1, kNan));
+  EXPECT_NEAR(odometry.read(message(10.2, 1.0)).increment.duration, 0.2, 1e-9);
+}
+
+TEST(OdometryReader, OneStampAstrayIsRefusedAndForgotten) {
+  for (const double astray : {5.0, 1e6}) {
+    OdometryReader odometry = reader();
+    odometry.read(message(10.0, 1.0));
+    const CheckedOdometry refused = odometry.read(message(astray, 1.0));
+    EXPECT_EQ(refused.reason, astray > 10.0 ? Reason::kFutureStamp : Reason::kOldStamp);
+    EXPECT_FALSE(refused.restarted);
+    const CheckedOdometry next = odometry.read(message(10.1, 1.0));
+    EXPECT_EQ(next.reason, Reason::kAccepted);
+    EXPECT_FALSE(next.restarted);
+  }
+}
+
+TEST(OdometryReader, TwoStampsInARowThatJumpedStartAfresh) {
+  for (const double jump : {5.0, 100.0}) {
+    OdometryReader odometry = reader();
+    odometry.read(message(10.0, 1.0));
+    EXPECT_FALSE(odometry.read(message(jump, 1.0)).restarted);
+    const CheckedOdometry second = odometry.read(message(jump + 0.1, 1.0));
+    EXPECT_EQ(second.reason, Reason::kAccepted);
+    EXPECT_TRUE(second.restarted);
+    EXPECT_NEAR(odometry.read(message(jump + 0.2, 1.0)).increment.duration, 0.1, 1e-9);
+  }
+}
+
+TEST(OdometryReader, RefusesNumbersThatAreNone) {
+  for (const double bad : {kNan, std::numeric_limits<double>::infinity()}) {
+    nav_msgs::Odometry odometry = message(10.0);
+    odometry.pose.pose.orientation.y = bad;
+    EXPECT_EQ(reader().read(odometry).reason, Reason::kNotFinite);
+    EXPECT_EQ(reader().read(message(10.0, bad)).reason, Reason::kNotFinite);
+    EXPECT_EQ(reader().read(message(10.0, 0.0, bad)).reason, Reason::kNotFinite);
+  }
+  EXPECT_EQ(reader().read(message(10.0, 0.0, 0.0, {1e308, 0.0, 0.0})).reason, Reason::kInvalidPosition);
+  nav_msgs::Odometry turned = message(10.0);
+  turned.pose.pose.orientation.w = 3.0;
+  EXPECT_EQ(reader().read(turned).reason, Reason::kInvalidPosition);
+}
+
+TEST(OdometryReader, RefusesSpeedsNoRobotReaches) {
+  EXPECT_EQ(reader().read(message(10.0, 1e308)).reason, Reason::kTooFast);
+  EXPECT_EQ(reader().read(message(10.0, -51.0)).reason, Reason::kTooFast);
+  EXPECT_EQ(reader().read(message(10.0, 0.0, 21.0)).reason, Reason::kTooFast);
+}
+
+TEST(OdometryReader, SurvivesAPoseThatWasSetBack) {
+  OdometryReader odometry = reader();
+  odometry.read(message(10.0, 0.0, 0.0, {50.0, 0.0, 0.0}));
+  EXPECT_EQ(odometry.read(message(10.1, 0.0, 0.0, {0.0, 0.0, 0.0})).reason, Reason::kTooFast);
+  const CheckedOdometry next = odometry.read(message(10.2, 0.0, 0.0, {0.1, 0.0, 0.0}));
+  EXPECT_EQ(next.reason, Reason::kAccepted);
+  EXPECT_NEAR(next.increment.speed, 1.0, 1e-6);
+}
+
+TEST(OdometryReader, RefusesOurOwnOutputFedBack) {
+  nav_msgs::Odometry own = message(10.0);
+  own.header.frame_id = "/map";
+  EXPECT_EQ(reader().read(own).reason, Reason::kInvalidFrame);
+}
+
+TEST(OdometryReader, ClearStartsAfresh) {
+  OdometryReader odometry = reader();
+  odometry.read(message(10.0, 1.0));
+  odometry.clear();
+  EXPECT_EQ(odometry.read(message(5.0, 1.0)).reason, Reason::kAccepted);
+}
+
+}  // namespace
+}  // namespace multipath_localization

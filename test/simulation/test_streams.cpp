@@ -1,0 +1,28 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "multipath_localization/core/random.hpp"
+#include "multipath_localization/simulation/streams.hpp"
+
+namespace multipath_localization {
+namespace {
+
+TEST(SimulationStream, GivesEachPartOfTheWorldItsOwnNumbersAndNoneOfAFilters) {
+  std::set<std::uint32_t> words;
+  const std::set<std::uint32_t> streams = {0U,
+                                           1U,
+                                           kRobotStream,
+                                           kOdometerStream,
+                                           kOdometerNoiseStream,
+                                           kReceiverStream,
+                                           kReceiverNoiseStream,
+                                           kZoneStream,
+                                           kZoneStream + 1U};
+  for (const std::uint32_t stream : streams) words.insert(RandomStream(1, 7, stream).word());
+  EXPECT_EQ(streams.size(), 9U);
+  EXPECT_EQ(words.size(), streams.size());
+}
+
+}  // namespace
+}  // namespace multipath_localization
