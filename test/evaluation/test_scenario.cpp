@@ -1,10 +1,9 @@
-#include "multipath_localization/evaluation/scenario.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "multipath_localization/estimators/make_estimator.hpp"
+#include "multipath_localization/evaluation/scenario.hpp"
 
 namespace multipath_localization {
 namespace {
