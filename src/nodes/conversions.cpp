@@ -9,6 +9,7 @@ namespace multipath_localization {
 
 namespace {
 
+const Eigen::Vector3d kDefaultPoseSigmas(0.5, 0.5, kPi / 12.0);  ///< x, y, yaw as amcl starts from
 constexpr double kHighestAltitude = 100e3;
 constexpr double kFurthestPose = 1e7;
 constexpr std::size_t kX = 0, kY = 7, kYaw = 35, kXY = 1, kXYaw = 5, kYYaw = 11;  ///< in a row-major 6x6
@@ -128,42 +129,21 @@ std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped
   prior.covariance << covariance[kX], covariance[kXY], covariance[kXYaw],  //
       covariance[kXY], covariance[kY], covariance[kYYaw],                  //
       covariance[kXYaw], covariance[kYYaw], covariance[kYaw];
+  if (prior.covariance.isZero(0.0)) prior.covariance.diagonal() = kDefaultPoseSigmas.cwiseAbs2();
   const bool usable = prior.covariance.allFinite() && prior.covariance.diagonal().minCoeff() > 0.0 &&
                       positive_semi_definite(prior.covariance);
   return usable ? std::optional<PosePrior>(prior) : std::nullopt;
 }
 
-geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate) {
-  geometry_msgs::PoseWithCovariance message;
-  message.pose = to_message(estimate.pose);
-  message.covariance[kX] = estimate.position_covariance_overall(0, 0);
-  message.covariance[kXY] = message.covariance[6] = estimate.position_covariance_overall(0, 1);
-  message.covariance[kY] = estimate.position_covariance_overall(1, 1);
-  message.covariance[kXYaw] = message.covariance[30] = estimate.covariance(0, 2);
-  message.covariance[kYYaw] = message.covariance[31] = estimate.covariance(1, 2);
-  message.covariance[kYaw] = estimate.covariance(2, 2);
-  return message;
-}
-
-nav_msgs::Odometry to_odometry(const PoseEstimate& estimate, const nav_msgs::Odometry& odometry,
-                               const std::string& map_frame) {
-  nav_msgs::Odometry message = odometry;
-  message.header.frame_id = map_frame;
-  message.pose = to_message(estimate);
-  return message;
-}
-
-nav_msgs::Odometry to_odometry(const GnssFix& fix, const std_msgs::Header& header,
-                               const std::string& child_frame) {
-  nav_msgs::Odometry message;
-  message.header = header;
-  message.child_frame_id = child_frame;
-  message.pose.pose = to_message(Pose2{fix.position.x(), fix.position.y(), 0.0});
-  message.pose.covariance[kX] = fix.covariance(0, 0);
-  message.pose.covariance[kXY] = message.pose.covariance[6] = fix.covariance(0, 1);
-  message.pose.covariance[kY] = fix.covariance(1, 1);
-  message.pose.covariance[kYaw] = kPi * kPi;
-  return message;
+nav_msgs::Odometry with_motion(nav_msgs::Odometry odometry, const OdometryIncrement& motion) {
+  odometry.twist.twist = geometry_msgs::Twist();
+  odometry.twist.twist.linear.x = motion.speed;
+  odometry.twist.twist.angular.z = motion.yaw_rate;
+  auto& covariance = odometry.twist.covariance;
+  if (!std::all_of(covariance.begin(), covariance.end(), [](double c) { return std::isfinite(c); })) {
+    covariance.assign(0.0);
+  }
+  return odometry;
 }
 
 geometry_msgs::Transform map_to_odom(const Pose2& base_in_map, const Pose2& base_in_odom) {
@@ -173,65 +153,6 @@ geometry_msgs::Transform map_to_odom(const Pose2& base_in_map, const Pose2& base
   transform.translation.y = odom_in_map.position.y;
   transform.rotation = odom_in_map.orientation;
   return transform;
-}
-
-geometry_msgs::PoseArray to_pose_array(const std::vector<Hypothesis>& hypotheses, std::size_t max_poses,
-                                       const std_msgs::Header& header) {
-  geometry_msgs::PoseArray array;
-  array.header = header;
-  const std::size_t count = std::min(max_poses, hypotheses.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    array.poses.push_back(to_message(hypotheses[i * hypotheses.size() / count].pose));
-  }
-  return array;
-}
-
-GnssBias to_bias(const PoseEstimate& estimate, const std_msgs::Header& header) {
-  GnssBias message;
-  message.header = header;
-  message.x = estimate.bias.x();
-  message.y = estimate.bias.y();
-  message.sigma = std::sqrt(estimate.bias_covariance.trace());
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    message.covariance[static_cast<std::size_t>(i)] = estimate.bias_covariance(i / 2, i % 2);
-  }
-  message.shadow_probability = estimate.shadow_probability;
-  message.canyon_probability = estimate.canyon_probability;
-  message.ring_radius = estimate.bias.norm();
-  return message;
-}
-
-LocalizationState to_state(const Localizer& localizer, const std_msgs::Header& header) {
-  const PoseEstimate estimate = localizer.estimate();
-  LocalizationState message;
-  message.header = header;
-  message.state = static_cast<std::uint8_t>(localizer.state());
-  message.name = std::string(to_string(localizer.state()));
-  message.reason = localizer.state_reason();
-  if (!estimate.valid) return message;
-  message.position_sigma = std::sqrt(estimate.position_covariance_overall.trace());
-  message.yaw_sigma = std::sqrt(estimate.covariance(2, 2));
-  message.dominance = estimate.dominance;
-  message.shadow_probability = estimate.shadow_probability;
-  message.canyon_probability = estimate.canyon_probability;
-  message.effective_sample_size = estimate.effective_sample_size;
-  return message;
-}
-
-FixReport to_report(const Innovation& innovation, const sensor_msgs::NavSatFix& fix, const ros::Time& now,
-                    std::uint32_t sequence) {
-  FixReport message;
-  message.header = fix.header;
-  message.accepted = innovation.accepted();
-  message.reason = std::string(to_string(innovation.reason));
-  message.innovation_x = innovation.innovation.x();
-  message.innovation_y = innovation.innovation.y();
-  message.nis = innovation.nis;
-  message.declared_sigma = declared_sigma(fix);
-  message.predicted_sigma = std::sqrt(0.5 * innovation.covariance.trace());
-  message.age = now.isZero() || fix.header.stamp.isZero() ? 0.0 : (now - fix.header.stamp).toSec();
-  message.sequence = sequence;
-  return message;
 }
 
 }  // namespace multipath_localization

@@ -1,23 +1,21 @@
 #pragma once
 
-#include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
-#include <geometry_msgs/TransformStamped.h>
+#include <geometry_msgs/Transform.h>
 #include <nav_msgs/Odometry.h>
 #include <sensor_msgs/NavSatFix.h>
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "multipath_localization/FixReport.h"
-#include "multipath_localization/GnssBias.h"
-#include "multipath_localization/LocalizationState.h"
+#include "multipath_localization/core/estimate.hpp"
 #include "multipath_localization/core/geodesy.hpp"
-#include "multipath_localization/estimators/localizer.hpp"
+#include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/core/parameters.hpp"
 
-/// Messages to the package's vocabulary and back. REP-103 (ENU, metres, radians, yaw 0 = east and
-/// counter-clockwise) and REP-105 (map -> odom -> base_link) are enforced here and nowhere else.
+/// Messages to the package's vocabulary; the way back is in estimate_messages.hpp. REP-103 (ENU, metres,
+/// radians, yaw 0 = east and counter-clockwise) and REP-105 (map -> odom -> base_link) are enforced here and
+/// nowhere else.
 namespace multipath_localization {
 
 /// A frame's name as tf2 has it, without a leading slash.
@@ -77,37 +75,16 @@ double declared_sigma(const sensor_msgs::NavSatFix& message);
 std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose);
 geometry_msgs::Pose to_message(const Pose2& pose);
 
-/// A start from a pose with covariance. Nothing when the pose is unusable or the covariance of x, y, yaw is
-/// not finite, not positive semi-definite or zero on the diagonal.
+/// A start from a pose with covariance; one of all zeros stands for 0.5 m, 0.5 m and 15 degrees. Nothing when
+/// the pose is unusable or the covariance of x, y, yaw is not finite, not positive semi-definite or zero on
+/// the diagonal.
 std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message);
-
-/// Row-major 6x6 over x, y, z and turns about fixed axes; z, roll and pitch are zero. The x-y block is that
-/// of all hypotheses, so that a consumer is not told more than is known; the rest is that of the dominant
-/// one.
-geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate);
-
-/// The estimate in `map_frame`, with the twist and child frame of the odometry it stands for.
-nav_msgs::Odometry to_odometry(const PoseEstimate& estimate, const nav_msgs::Odometry& odometry,
-                               const std::string& map_frame);
-
-/// A fix in map, without heading.
-nav_msgs::Odometry to_odometry(const GnssFix& fix, const std_msgs::Header& header,
-                               const std::string& child_frame);
 
 /// map -> odom so that odom's pose of the base comes to lie at `base_in_map`.
 geometry_msgs::Transform map_to_odom(const Pose2& base_in_map, const Pose2& base_in_odom);
 
-/// At most `max_poses` of the hypotheses, evenly picked.
-geometry_msgs::PoseArray to_pose_array(const std::vector<Hypothesis>& hypotheses, std::size_t max_poses,
-                                       const std_msgs::Header& header);
-
-GnssBias to_bias(const PoseEstimate& estimate, const std_msgs::Header& header);
-
-LocalizationState to_state(const Localizer& localizer, const std_msgs::Header& header);
-
-/// What became of a fix; stamp and frame of the fix, `age` from then to `now` [s], the `sequence`-th of this
-/// run.
-FixReport to_report(const Innovation& innovation, const sensor_msgs::NavSatFix& fix, const ros::Time& now,
-                    std::uint32_t sequence);
+/// The odometry with the motion that was read from it as its twist. A twist covariance with an entry that is
+/// not finite becomes zero, which stands for unknown.
+nav_msgs::Odometry with_motion(nav_msgs::Odometry odometry, const OdometryIncrement& motion);
 
 }  // namespace multipath_localization

@@ -10,6 +10,7 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kFirstInterval = 1e-3;
+constexpr double kLatestStamp = 4.1e9;  ///< ros::Time ends soon after, and throws
 
 bool finite(const nav_msgs::Odometry& message) {
   const auto& position = message.pose.pose.position;
@@ -80,6 +81,7 @@ CheckedOdometry OdometryReader::read(const nav_msgs::Odometry& message) {
 
 Reason OdometryReader::check_content(const nav_msgs::Odometry& message) const {
   if (message.header.stamp.isZero()) return Reason::kZeroStamp;
+  if (message.header.stamp.toSec() > kLatestStamp) return Reason::kFutureStamp;
   if (without_slash(message.header.frame_id) == map_frame_) return Reason::kInvalidFrame;
   if (!finite(message)) return Reason::kNotFinite;
   if (!to_pose2(message.pose.pose)) return Reason::kInvalidPosition;

@@ -39,12 +39,12 @@ struct CheckedOdometry {
 /// | frame is the map's (our own output fed back)         | refused: invalid frame                        |
 /// | stamp zero                                           | refused: zero stamp                           |
 /// | stamp repeated or going back                         | refused: old stamp                            |
-/// | stamp more than `max_gap` ahead                      | refused: future stamp                         |
-/// | second message in a row that went back by more than  | accepted, `restarted`                         |
-/// | `time_jump_threshold` or ahead by more than `max_gap`|                                               |
-/// | pose, or twist in x, y or yaw, NaN or infinite       | refused: not finite                           |
-/// | quaternion not of length 1 (nor all zero), |pose| > 1e7 m | refused: invalid position                |
-/// | speed or yaw rate beyond the limits                  | refused: too fast                             |
+/// | stamp more than `max_gap` ahead, or after the year 2100 | refused: future stamp | | second message in a
+/// row that went back by more than  | accepted, `restarted`                         | | `time_jump_threshold`
+/// or ahead by more than `max_gap`|                                               | | pose, or twist in x, y
+/// or yaw, NaN or infinite       | refused: not finite                           | | quaternion not of length
+/// 1 (nor all zero), |pose| > 1e7 m | refused: invalid position                | | speed or yaw rate beyond
+/// the limits                  | refused: too fast                             |
 ///
 /// Covariances of odometry are not looked at. What was refused is bridged by the next message's motion.
 class OdometryReader {

@@ -165,33 +165,25 @@ TEST(ToPrior, TakesXYYawOutOfSixBySix) {
   const Eigen::Matrix3d expected =
       (Eigen::Matrix3d() << 0.25, 0.1, 0.0, 0.1, 0.5, 0.0, 0.0, 0.0, 0.07).finished();
   EXPECT_EQ(prior->covariance, expected);
+  geometry_msgs::PoseWithCovarianceStamped bare = message;
+  bare.pose.covariance.assign(0.0);
+  ASSERT_TRUE(to_prior(bare));
+  EXPECT_EQ(to_prior(bare)->covariance(0, 0), 0.25) << "the default";
   message.pose.covariance[35] = 0.0;
   EXPECT_FALSE(to_prior(message)) << "nobody knows a heading that well";
   message.pose.covariance[35] = kNan;
   EXPECT_FALSE(to_prior(message));
 }
 
-PoseEstimate some_estimate() {
-  PoseEstimate estimate;
-  estimate.valid = true;
-  estimate.pose = {10.0, -3.0, 2.0};
-  estimate.covariance << 1.0, 0.1, 0.2, 0.1, 2.0, 0.3, 0.2, 0.3, 0.5;
-  estimate.position_covariance_overall << 4.0, 0.4, 0.4, 5.0;
-  return estimate;
-}
-
-TEST(ToMessage, FillsARowMajorSixBySix) {
-  const geometry_msgs::PoseWithCovariance message = to_message(some_estimate());
-  Eigen::Matrix<double, 6, 6> covariance;
-  for (int i = 0; i < 36; ++i) covariance(i / 6, i % 6) = message.covariance[static_cast<std::size_t>(i)];
-  EXPECT_EQ((covariance - covariance.transpose()).norm(), 0.0);
-  EXPECT_EQ(covariance(0, 0), 4.0);
-  EXPECT_EQ(covariance(0, 1), 0.4);
-  EXPECT_EQ(covariance(1, 1), 5.0);
-  EXPECT_EQ(covariance(0, 5), 0.2);
-  EXPECT_EQ(covariance(1, 5), 0.3);
-  EXPECT_EQ(covariance(5, 5), 0.5);
-  EXPECT_EQ(covariance.block(2, 0, 3, 6).cwiseAbs().sum(), 0.0);
+TEST(WithMotion, CarriesWhatWasReadAndNothingThatIsNotFinite) {
+  nav_msgs::Odometry odometry;
+  odometry.twist.twist.linear.z = kNan;
+  odometry.twist.covariance[0] = kInfinity;
+  const nav_msgs::Odometry read = with_motion(odometry, OdometryIncrement{1.0, 0.1, -2.0, 0.5});
+  EXPECT_EQ(read.twist.twist.linear.x, -2.0);
+  EXPECT_EQ(read.twist.twist.angular.z, 0.5);
+  EXPECT_EQ(read.twist.twist.linear.z, 0.0);
+  EXPECT_EQ(read.twist.covariance[0], 0.0);
 }
 
 TEST(MapToOdom, BringsOdomsPoseToTheEstimate) {
@@ -203,31 +195,6 @@ TEST(MapToOdom, BringsOdomsPoseToTheEstimate) {
   const Pose2 back = odom_in_map * in_odom;
   EXPECT_NEAR((back.position() - in_map.position()).norm(), 0.0, 1e-9);
   EXPECT_NEAR(angle_difference(back.yaw, in_map.yaw), 0.0, 1e-9);
-}
-
-TEST(ToPoseArray, CapsTheCloudAndKeepsItsSpread) {
-  std::vector<Hypothesis> cloud(1000);
-  for (std::size_t i = 0; i < cloud.size(); ++i) cloud[i].pose.x = static_cast<double>(i);
-  const geometry_msgs::PoseArray array = to_pose_array(cloud, 10, std_msgs::Header());
-  ASSERT_EQ(array.poses.size(), 10u);
-  EXPECT_EQ(array.poses[9].position.x, 900.0);
-  EXPECT_EQ(to_pose_array(cloud, 5000, std_msgs::Header()).poses.size(), 1000u);
-  EXPECT_TRUE(to_pose_array({}, 10, std_msgs::Header()).poses.empty());
-}
-
-TEST(ToReport, SaysWhatBecameOfAFix) {
-  Innovation innovation = refused(Reason::kGated);
-  innovation.innovation = {3.0, -4.0};
-  innovation.covariance = 2.25 * Eigen::Matrix2d::Identity();
-  const FixReport report = to_report(innovation, good_fix(), ros::Time(101, 0), 7);
-  EXPECT_FALSE(report.accepted);
-  EXPECT_EQ(report.reason, "gated");
-  EXPECT_EQ(report.header.stamp, good_fix().header.stamp);
-  EXPECT_EQ(report.innovation_y, -4.0);
-  EXPECT_NEAR(report.declared_sigma, std::sqrt(6.5), 1e-12);
-  EXPECT_NEAR(report.predicted_sigma, 1.5, 1e-12);
-  EXPECT_NEAR(report.age, 0.5, 1e-9);
-  EXPECT_EQ(report.sequence, 7u);
 }
 
 TEST(Frames, LoseALeadingSlash) {

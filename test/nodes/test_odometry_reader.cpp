@@ -67,6 +67,12 @@ TEST(OdometryReader, RefusesStampsThatDoNotAdvance) {
   EXPECT_EQ(odometry.read(message(10.2, 1.0)).reason, Reason::kAccepted);
 }
 
+TEST(OdometryReader, RefusesStampsBeyondTheClocksEnd) {
+  nav_msgs::Odometry late = message(10.0, 1.0);
+  late.header.stamp = ros::Time(4294967295u, 0);
+  EXPECT_EQ(reader().read(late).reason, Reason::kFutureStamp);
+}
+
 TEST(OdometryReader, BridgesWhatWasRefused) {
   OdometryReader odometry = reader();
   odometry.read(message(10.0, 1.0));

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <sensor_msgs/NavSatFix.h>
+
+#include <optional>
+#include <vector>
+
+#include "multipath_localization/core/geodesy.hpp"
+
+namespace multipath_localization {
+
+/// Where map has its origin: configured, or the median of the first fixes. Once set it stays, whatever
+/// restarts.
+class Datum {
+ public:
+  /// `configured` is empty or [latitude, longitude, altitude?] in degrees and metres; `averaging` in seconds.
+  Datum(const std::vector<double>& configured, double averaging);
+
+  /// Takes a usable fix while no datum is set.
+  void add(const sensor_msgs::NavSatFix& fix);
+
+  /// The map frame, null before the datum is set.
+  [[nodiscard]] const LocalFrame* map() const { return map_ ? &*map_ : nullptr; }
+
+ private:
+  std::optional<LocalFrame> map_;
+  double averaging_;
+  double first_stamp_ = 0.0;
+  std::vector<Geodetic> fixes_;
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/NavSatFix.h>
+#include <std_srvs/Empty.h>
+#include <std_srvs/SetBool.h>
+
+#include <optional>
+#include <string>
+
+#include "nodes/datum.hpp"
+#include "nodes/estimate_messages.hpp"
+#include "nodes/fix_ledger.hpp"
+#include "nodes/input_monitor.hpp"
+#include "nodes/localization_diagnostics.hpp"
+#include "nodes/localization_outputs.hpp"
+#include "nodes/localization_parameters.hpp"
+#include "nodes/map_to_odom.hpp"
+#include "nodes/tf_watch.hpp"
+
+namespace multipath_localization {
+
+/// Fixes and odometry in, the pose in map out, on the stamps of the messages alone.
+class LocalizationNode {
+ public:
+  LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node, const LocalizationSettings& settings);
+
+ private:
+  void on_odometry(const nav_msgs::Odometry::ConstPtr& message);
+  void on_fix(const sensor_msgs::NavSatFix::ConstPtr& message);
+  void on_pose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr& message);
+  bool on_reset(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
+  bool on_toggle(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+
+  /// The antenna of a frame on the base, the base itself where tf does not know and need not.
+  std::optional<Eigen::Vector2d> antenna_in_base(const std::string& frame);
+  /// Reads a fix and hands it to the localizer, or gives the reason why not.
+  Reason hand_over(const sensor_msgs::NavSatFix& message);
+  /// The same, and publishes what comes of it.
+  void use(const sensor_msgs::NavSatFix& message);
+  void publish_pose();
+  void publish_reports();
+  /// Reports the oldest open fix of this stamp.
+  void report(double stamp, const Innovation& innovation);
+  [[nodiscard]] ros::Time odometry_stamp() const { return odometry_ ? odometry_->header.stamp : ros::Time(); }
+
+  /// Starts the estimator afresh, at the prior if there is one. What had waited is reported as not started.
+  void restart(const std::string& why, const std::optional<PosePrior>& prior = std::nullopt);
+  /// The same after the stamps of odometry have jumped, forgetting also what tf said and what was last seen.
+  void restart_time(const std::string& why);
+  /// The same, and the next odometry is a first one.
+  void forget(const std::string& why);
+  void watch_clock();
+  void tell_what_is_missing();
+
+  LocalizationParameters parameters_;
+  Localizer localizer_;
+  Datum datum_;
+  OdometryReader odometry_reader_;
+  TfWatch tf_;
+  MapToOdom map_to_odom_;
+  LocalizationOutputs outputs_;
+  FixLedger fixes_;
+  InputMonitor fix_input_, odometry_input_;
+  LocalizationDiagnostics diagnostics_;
+
+  bool enabled_ = true;
+  ros::Time latest_clock_;
+  std::optional<nav_msgs::Odometry> odometry_;       ///< the last one accepted, with the motion read from it
+  Pose2 base_in_odom_;                               ///< its pose
+  bool pose_published_ = false;                      ///< for that odometry
+  std::optional<sensor_msgs::NavSatFix> early_fix_;  ///< came before any odometry
+
+  ros::Subscriber initial_pose_, set_pose_;
+  ros::ServiceServer reset_, toggle_;
+  ros::Timer tf_timer_;
+  ros::WallTimer diagnostics_timer_, waiting_timer_;
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <optional>
+#include <string>
+
+#include "multipath_localization/FixReport.h"
+#include "multipath_localization/core/geodesy.hpp"
+#include "multipath_localization/estimators/localizer.hpp"
+#include "nodes/localization_parameters.hpp"
+
+namespace multipath_localization {
+
+/// Publishers of localization_node, tf aside. Topics: README.
+class LocalizationOutputs {
+ public:
+  LocalizationOutputs(ros::NodeHandle node, ros::NodeHandle private_node,
+                      const LocalizationParameters& parameters);
+
+  /// The pose that belongs to one odometry message; particles, state and markers at most at `cloud_rate`.
+  void publish(const Localizer& localizer, const nav_msgs::Odometry& odometry, const LocalFrame& map);
+
+  /// The state alone, latched, when it is not the one published last.
+  void publish_changed_state(const Localizer& localizer, const ros::Time& stamp);
+  /// The same whatever was published last.
+  void publish_state(const Localizer& localizer, const ros::Time& stamp);
+
+  /// A fix as it lies in map.
+  void publish_fix(const GnssFix& fix, const std_msgs::Header& header);
+
+  /// What became of a fix.
+  void publish(const FixReport& report) const { report_.publish(report); }
+
+  /// The bias as tracked.
+  void publish_bias(const PoseEstimate& estimate, const ros::Time& stamp) const;
+
+  /// Forgets when and what was published, as when the clock has gone back.
+  void clear();
+
+ private:
+  [[nodiscard]] std_msgs::Header in_map(const ros::Time& stamp) const;
+  void publish_picture(const Localizer& localizer, const PoseEstimate& estimate, const ros::Time& stamp);
+
+  FrameParameters frames_;
+  OutputParameters parameters_;
+  ros::Publisher odometry_, pose_, cloud_, gps_odometry_, gps_filtered_, bias_, report_, state_, markers_;
+  std::optional<GnssFix> last_fix_;
+  std::optional<Trust> last_state_;
+  double last_picture_ = 0.0;
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,76 @@
+#include "nodes/localization_parameters.hpp"
+
+#include <limits>
+
+#include "multipath_localization/estimators/make_estimator.hpp"
+
+namespace multipath_localization {
+
+void FrameParameters::fields(ParameterVisitor& field) {
+  field("map_frame", map_frame, {}, "frame the pose is given in, ENU at the datum");
+  field("odom_frame", odom_frame, {}, "frame the odometry is given in");
+  field("base_link_frame", base_link_frame, {}, "frame of the base, x forward");
+}
+
+void OutputParameters::fields(ParameterVisitor& field) {
+  field("publish_tf", publish_tf, "whether to broadcast map -> odom");
+  field("publish_odom_tf", publish_odom_tf,
+        "whether to broadcast odom -> base_link from the odometry as long as nobody else does");
+  field("transform_tolerance", transform_tolerance, {0.0, 10.0}, "s", "map -> odom is dated this far ahead");
+  field("tf_rate", tf_rate, {20.0, 200.0}, "Hz",
+        "map -> odom is repeated at this rate where odometry is slower");
+  field("cloud_rate", cloud_rate, {0.1, 100.0}, "Hz", "of particlecloud, state and markers, at most");
+  field("max_cloud_poses", max_cloud_poses, {1, 1000000}, "1", "in particlecloud and markers, at most");
+}
+
+void LocalizationParameters::fields(ParameterVisitor& field) {
+  field("estimator", estimator, {}, "name of the estimator");
+  field("seed", seed, {0, std::numeric_limits<int>::max()}, "1",
+        "of the random numbers: same seed, same bytes");
+  frames.fields(field);
+  outputs.fields(field);
+  field("datum", datum, {-180.0, 1e5}, "deg, deg, m",
+        "latitude, longitude and perhaps altitude of map's origin; empty: from the first fixes");
+  field("datum_averaging", datum_averaging, {0.0, 600.0}, "s",
+        "without a datum, map's origin is the median of the fixes of this time, 0: the first fix");
+  field("require_antenna_transform", require_antenna_transform,
+        "refuse fixes whose frame tf does not know, instead of taking the antenna to be at the base");
+  field.group("fix", fix, "how fixes are read");
+  field.group("odometry", odometry, "how odometry is read");
+  field.group("localizer", localizer, "how late and missing measurements are treated");
+  const bool is_datum =
+      datum.empty() || (datum.size() <= 3 && datum.size() >= 2 && valid({datum[0], datum[1], 0.0}));
+  if (!is_datum)
+    throw ParameterError("datum is not [latitude, longitude] or [latitude, longitude, altitude]");
+}
+
+LocalizationSettings LocalizationSettings::from(const YAML::Node& source) {
+  LocalizationSettings settings;
+  YAML::Node own = source ? YAML::Clone(source) : YAML::Node();
+  YAML::Node groups(YAML::NodeType::Map);
+  for (const std::string& name : estimator_names()) {
+    if (!own.IsMap() || !own[name]) continue;
+    groups[name] = own[name];
+    own.remove(name);
+  }
+  load(own, settings.parameters);
+  for (const auto& group : groups) {
+    const auto name = group.first.as<std::string>();
+    try {
+      multipath_localization::make_estimator(name, group.second, 0);
+    } catch (const ParameterError& error) {
+      throw ParameterError(name + ": " + error.what());
+    }
+  }
+  const YAML::Node chosen = groups[settings.parameters.estimator];
+  if (chosen) settings.estimator_parameters = chosen;
+  static_cast<void>(settings.make_estimator());  // throws where the name is unknown
+  return settings;
+}
+
+std::unique_ptr<Estimator> LocalizationSettings::make_estimator() const {
+  return multipath_localization::make_estimator(parameters.estimator, estimator_parameters,
+                                                static_cast<std::uint64_t>(parameters.seed));
+}
+
+}  // namespace multipath_localization

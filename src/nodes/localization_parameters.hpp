@@ -1,0 +1,64 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/estimators/localizer.hpp"
+#include "nodes/conversions.hpp"
+#include "nodes/odometry_reader.hpp"
+
+namespace multipath_localization {
+
+/// Names of the frames of REP-105.
+struct FrameParameters {
+  std::string map_frame = "map";
+  std::string odom_frame = "odom";
+  std::string base_link_frame = "base_link";
+
+  void fields(ParameterVisitor& field);
+};
+
+/// What leaves the node, and how often.
+struct OutputParameters {
+  bool publish_tf = true;
+  bool publish_odom_tf = false;
+  double transform_tolerance = 0.1;
+  double tf_rate = 30.0;
+  double cloud_rate = 5.0;
+  int max_cloud_poses = 500;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// Parameters of localization_node beside those of the estimators.
+struct LocalizationParameters {
+  std::string estimator = "multipath_particle_filter";
+  int seed = 1;
+  FrameParameters frames;
+  OutputParameters outputs;
+  std::vector<double> datum;
+  double datum_averaging = 0.0;
+  bool require_antenna_transform = false;
+  FixParameters fix;
+  OdometryParameters odometry;
+  LocalizerParameters localizer;
+
+  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude.
+  void fields(ParameterVisitor& field);
+};
+
+/// All that a node was started with. Throws ParameterError on anything unknown or unusable.
+struct LocalizationSettings {
+  LocalizationParameters parameters;
+  YAML::Node estimator_parameters;  ///< of the chosen estimator, checked
+
+  /// `source` holds LocalizationParameters and one group for each estimator, named as it is.
+  static LocalizationSettings from(const YAML::Node& source);
+
+  [[nodiscard]] std::unique_ptr<Estimator> make_estimator() const;
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,71 @@
+#include "nodes/tf_watch.hpp"
+
+#include <ros/this_node.h>
+#include <tf2/exceptions.h>
+
+#include <cmath>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kStillThere = 5.0;  ///< [s]
+
+}  // namespace
+
+TfWatch::TfWatch(ros::NodeHandle node, const FrameParameters& frames) : frames_(frames) {
+  using Event = ros::MessageEvent<tf2_msgs::TFMessage const>;
+  const boost::function<void(const Event&)> on_tf = [this](const Event& event) {
+    on_transforms(event, false);
+  };
+  const boost::function<void(const Event&)> on_static = [this](const Event& event) {
+    on_transforms(event, true);
+  };
+  tf_ = node.subscribe<tf2_msgs::TFMessage>("/tf", 100, on_tf, ros::VoidConstPtr(),
+                                            ros::TransportHints().tcpNoDelay());
+  tf_static_ = node.subscribe<tf2_msgs::TFMessage>("/tf_static", 100, on_static);
+}
+
+void TfWatch::on_transforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event, bool is_static) {
+  const std::string& broadcaster = event.getPublisherName();
+  if (broadcaster == ros::this_node::getName()) return;
+  for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
+    const std::string child = without_slash(transform.child_frame_id);
+    if (child == frames_.odom_frame || child == frames_.base_link_frame) {
+      broadcasters_[child] = {broadcaster, ros::WallTime::now(), is_static};
+    }
+    if (is_static) static_transforms_[child] = transform;
+    buffer_.setTransform(transform, broadcaster, is_static);
+  }
+}
+
+std::string TfWatch::broadcaster_of(const std::string& child) const {
+  const auto found = broadcasters_.find(child);
+  if (found == broadcasters_.end()) return "";
+  const Broadcaster& broadcaster = found->second;
+  const bool still_there =
+      broadcaster.is_static || (ros::WallTime::now() - broadcaster.seen).toSec() < kStillThere;
+  return still_there ? broadcaster.name : "";
+}
+
+std::optional<Eigen::Vector2d> TfWatch::origin_in_base(const std::string& frame) {
+  const std::string name = without_slash(frame);
+  if (name.empty() || name == frames_.base_link_frame) return Eigen::Vector2d::Zero();
+  const auto known = found_.find(name);
+  if (known != found_.end()) return known->second;
+  try {
+    const auto origin =
+        buffer_.lookupTransform(frames_.base_link_frame, name, ros::Time()).transform.translation;
+    if (!std::isfinite(origin.x) || !std::isfinite(origin.y)) return {};
+    return found_[name] = Eigen::Vector2d(origin.x, origin.y);
+  } catch (const tf2::TransformException&) {
+    return {};
+  }
+}
+
+void TfWatch::clear() {
+  buffer_.clear();
+  for (const auto& [child, transform] : static_transforms_) buffer_.setTransform(transform, "static", true);
+}
+
+}  // namespace multipath_localization
