@@ -24,8 +24,8 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       tf_(node, parameters_.frames),
       map_to_odom_(parameters_.frames, parameters_.outputs),
       outputs_(node, private_node, parameters_),
-      fix_input_("fix", node.subscribe("gps/fix", 50, &LocalizationNode::on_fix, this, at_once())),
-      odometry_input_("odom", node.subscribe("odom", 200, &LocalizationNode::on_odometry, this, at_once())),
+      fix_input_("fix", node.subscribe("gps/fix", 500, &LocalizationNode::on_fix, this, at_once())),
+      odometry_input_("odom", node.subscribe("odom", 1000, &LocalizationNode::on_odometry, this, at_once())),
       diagnostics_(fix_input_, odometry_input_, localizer_, tf_, parameters_) {
   initial_pose_ = node.subscribe("initialpose", 5, &LocalizationNode::on_pose, this);
   set_pose_ = node.subscribe("set_pose", 5, &LocalizationNode::on_pose, this);

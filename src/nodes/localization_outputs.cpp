@@ -13,13 +13,13 @@ LocalizationOutputs::LocalizationOutputs(ros::NodeHandle node, ros::NodeHandle p
                                          const LocalizationParameters& parameters)
     : frames_(parameters.frames),
       parameters_(parameters.outputs),
-      odometry_(node.advertise<nav_msgs::Odometry>("odometry/filtered_map", 50)),
-      pose_(node.advertise<geometry_msgs::PoseWithCovarianceStamped>("pose", 50)),
+      odometry_(node.advertise<nav_msgs::Odometry>("odometry/filtered_map", 1000)),
+      pose_(node.advertise<geometry_msgs::PoseWithCovarianceStamped>("pose", 1000)),
       cloud_(node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true)),
       gps_odometry_(node.advertise<nav_msgs::Odometry>("odometry/gps", 10)),
       gps_filtered_(node.advertise<sensor_msgs::NavSatFix>("gps/filtered", 50)),
       bias_(private_node.advertise<GnssBias>("bias", 10)),
-      report_(private_node.advertise<FixReport>("fix_report", 100)),
+      report_(private_node.advertise<FixReport>("fix_report", 1000)),
       state_(node.advertise<LocalizationState>("localization/state", 10, true)),
       markers_(private_node.advertise<visualization_msgs::MarkerArray>("markers", 2)) {}
 
