@@ -30,9 +30,8 @@ std_msgs::Header LocalizationOutputs::in_map(const ros::Time& stamp) const {
   return header;
 }
 
-void LocalizationOutputs::publish(const Localizer& localizer, const nav_msgs::Odometry& odometry,
-                                  const LocalFrame& map) {
-  const PoseEstimate estimate = localizer.estimate();
+void LocalizationOutputs::publish(const Localizer& localizer, const PoseEstimate& estimate,
+                                  const nav_msgs::Odometry& odometry, const LocalFrame& map) {
   const std_msgs::Header header = in_map(odometry.header.stamp);
   odometry_.publish(to_odometry(estimate, odometry, frames_.map_frame, frames_.base_link_frame));
   if (pose_.getNumSubscribers() > 0) {
