@@ -54,7 +54,7 @@ TruthSample truth_of(const Simulator& simulator) {
 struct Published {
   double stamp = -std::numeric_limits<double>::infinity();
   Pose2 pose;
-  Trust state = Trust::kNotReady;
+  Trust trust = Trust::kNotReady;
 };
 
 }  // namespace
@@ -75,7 +75,7 @@ ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const E
   const auto steps = static_cast<std::int64_t>(std::llround(scenario.duration / simulator.time_step()));
   for (std::int64_t step = 0; step < steps; ++step) {
     const MotionCommand command =
-        follower.command(published.pose, simulator.time() - published.stamp, published.state).command;
+        follower.command(published.pose, simulator.time() - published.stamp, published.trust).command;
     const Readings readings = simulator.step(command);
     if (readings.odometry) {
       localizer.add(*readings.odometry);

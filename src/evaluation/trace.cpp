@@ -44,7 +44,12 @@ void write_run(std::ostream& out, const Run& run, double start) {
   for (const Epoch& epoch : run.epochs) {
     if (epoch.valid) valid.push_back(epoch);
   }
-  out << "{\"estimator\": \"" << run.estimator << "\", ";
+  out << "{\"estimator\": \"" << run.estimator << "\", \"rmse\": ";
+  if (run.score.rmse) {
+    out << *run.score.rmse << ", ";
+  } else {
+    out << "null, ";
+  }
   write_array(out, "t", valid, [&](const Epoch& e) { return e.truth.stamp - start; });
   out << ", ";
   write_array(out, "x", valid, [](const Epoch& e) { return e.estimate.x; });

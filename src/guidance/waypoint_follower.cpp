@@ -15,9 +15,10 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() 
 double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
 std::string old_pose(double age) {
+  if (!std::isfinite(age)) return "no pose yet";
   char text[64];
-  std::snprintf(text, sizeof(text), "pose is %.1f s old", age);
-  return std::isfinite(age) ? text : "no pose yet";
+  std::snprintf(text, sizeof(text), age > 0.0 ? "pose is %.1f s old" : "pose is %.1f s ahead", std::abs(age));
+  return text;
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ void WaypointFollowerParameters::fields(ParameterVisitor& field) {
   field("crossing_width", crossing_width, {0.0, 1e3}, "m",
         "so is one whose line, perpendicular to the way there, is crossed this far aside at most");
   field("loop", loop, "after the last waypoint go on to the first, else stop");
-  field("max_pose_age", max_pose_age, {0.0, 60.0}, "s", "an older pose stops the robot");
+  field("max_pose_age", max_pose_age, {0.0, 60.0}, "s",
+        "a pose older, or as far ahead of now, stops the robot");
   field("aligning_distance", aligning_distance, {0.0, 1e3}, "m",
         "from a start in ALIGNING go straight this far, for the heading to show, unless it is confirmed "
         "before");
@@ -81,7 +83,7 @@ FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Tru
 
 std::string WaypointFollower::reason_to_stop(const Pose2& pose, double pose_age, Trust state) const {
   if (waypoints_.empty()) return "no waypoints";
-  if (!(pose_age <= parameters_.max_pose_age)) return old_pose(pose_age);
+  if (!(std::abs(pose_age) <= parameters_.max_pose_age)) return old_pose(pose_age);
   if (!pose.finite()) return "pose not finite";
   if (state == Trust::kNotReady) return "localisation not ready";
   if (state == Trust::kLost) return "localisation lost";

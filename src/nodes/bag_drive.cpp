@@ -8,25 +8,17 @@
 #include <sensor_msgs/NavSatFix.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 
 #include "multipath_localization/evaluation/metrics.hpp"
+#include "nodes/conversions.hpp"
+#include "nodes/odometry_reader.hpp"
 
 namespace multipath_localization {
 
 namespace {
-
-struct GeodeticFix {
-  double stamp;
-  Geodetic point;
-  Eigen::Matrix2d covariance;
-  double arrival;
-};
-
-std::string without_slash(const std::string& topic) {
-  return !topic.empty() && topic.front() == '/' ? topic.substr(1) : topic;
-}
 
 /// The topics of a bag by type, and how the wanted ones are found among them.
 class TopicList {
@@ -76,21 +68,27 @@ class TopicList {
   std::map<std::string, std::string> types_;
 };
 
-/// Collects a bag's messages in the order they were recorded.
+struct ReceivedFix {
+  sensor_msgs::NavSatFix message;
+  double arrival;
+};
+
+/// Collects a bag's messages in the order they were recorded, as the localization node would take them.
 class Collector {
  public:
-  explicit Collector(const BagTopics& topics) : topics_(topics) {}
+  Collector(std::string file, const BagTopics& topics) : file_(std::move(file)), topics_(topics) {}
 
   void take(const rosbag::MessageInstance& message) {
-    if (message.getTopic() == topics_.odometry) add(*message.instantiate<nav_msgs::Odometry>());
-    if (message.getTopic() == topics_.fix) add(*message.instantiate<sensor_msgs::NavSatFix>());
-    if (message.getTopic() == topics_.truth) {
+    const std::string& topic = message.getTopic();
+    if (topic == topics_.odometry) add(*message.instantiate<nav_msgs::Odometry>());
+    if (topic == topics_.fix) add(*message.instantiate<sensor_msgs::NavSatFix>());
+    if (topic == topics_.truth) {
       const auto pose = message.instantiate<geometry_msgs::PoseStamped>();
       const auto odometry = message.instantiate<nav_msgs::Odometry>();
       if (pose) add_truth(pose->header.stamp.toSec(), pose->pose);
       if (odometry) add_truth(odometry->header.stamp.toSec(), odometry->pose.pose);
     }
-    if (message.getTopic() == topics_.shadow) {
+    if (topic == topics_.shadow) {
       const auto bias = message.instantiate<geometry_msgs::Vector3Stamped>();
       shadows_[bias->header.stamp.toSec()] = bias->vector.z > 0.5;
     }
@@ -99,99 +97,87 @@ class Collector {
   /// Truth by stamp, with the shadow flag last said at each.
   [[nodiscard]] std::vector<TruthSample> truth() const {
     std::vector<TruthSample> samples;
-    for (const auto& [stamp, sample] : truth_) {
-      samples.push_back(sample);
-      samples.back().has_yaw = turns_;
+    for (const auto& [stamp, base_in_map] : truth_) {
+      samples.push_back({stamp, base_in_map, turns_, std::nullopt});
       const auto later = shadows_.upper_bound(stamp);
-      if (!shadows_.empty())
-        samples.back().shadow = later == shadows_.begin() ? later->second : std::prev(later)->second;
+      if (shadows_.empty()) continue;
+      samples.back().shadow = later == shadows_.begin() ? later->second : std::prev(later)->second;
     }
     return samples;
   }
 
-  [[nodiscard]] const std::vector<TwistSample>& twists() const { return twists_; }
-  [[nodiscard]] const std::vector<GeodeticFix>& fixes() const { return fixes_; }
-  [[nodiscard]] std::size_t left_out() const { return left_out_; }
+  [[nodiscard]] const std::vector<OdometryIncrement>& odometry() const { return odometry_; }
+  [[nodiscard]] const std::vector<ReceivedFix>& fixes() const { return fixes_; }
+  [[nodiscard]] const std::map<std::string, int>& refusals() const { return refusals_; }
 
  private:
+  bool accepted(const std::string& topic, Reason reason) {
+    if (reason == Reason::kAccepted) return true;
+    ++refusals_[topic + ": " + std::string(to_string(reason))];
+    return false;
+  }
+
   void add(const nav_msgs::Odometry& message) {
-    const TwistSample twist{message.header.stamp.toSec(), message.twist.twist.linear.x,
-                            message.twist.twist.angular.z};
-    const bool in_order = twists_.empty() || twist.stamp > twists_.back().stamp;
-    if (in_order && std::isfinite(twist.speed) && std::isfinite(twist.yaw_rate)) {
-      twists_.push_back(twist);
-    } else {
-      ++left_out_;
-    }
+    const CheckedOdometry checked = reader_.read(message);
+    if (!accepted(topics_.odometry, checked.reason)) return;
+    if (checked.restarted) throw DriveError(file_ + ": " + topics_.odometry + " jumps in time");
+    odometry_.push_back(checked.increment);
   }
 
   void add(const sensor_msgs::NavSatFix& message) {
-    const Geodetic point{message.latitude, message.longitude, message.altitude};
-    const auto& c = message.position_covariance;
-    const double stamp = message.header.stamp.toSec();
-    if (message.status.status < 0 || !valid(point)) {
-      ++left_out_;
-      return;
-    }
-    const Eigen::Matrix2d covariance = (Eigen::Matrix2d() << c[0], c[1], c[3], c[4]).finished();
-    fixes_.push_back({stamp, point, covariance, twists_.empty() ? stamp : twists_.back().stamp});
+    if (!accepted(topics_.fix, check(message, {}))) return;
+    fixes_.push_back({message, odometry_.empty() ? message.header.stamp.toSec() : odometry_.back().stamp});
   }
 
-  void add_truth(double stamp, const geometry_msgs::Pose& pose) {
-    const auto& q = pose.orientation;
-    TruthSample sample;
-    sample.stamp = stamp;
-    sample.base_in_map = {pose.position.x, pose.position.y,
-                          std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
-    if (!sample.base_in_map.finite()) {
-      ++left_out_;
-      return;
-    }
-    turns_ = turns_ || q.z != 0.0;
-    truth_[stamp] = sample;
+  void add_truth(double stamp, const geometry_msgs::Pose& message) {
+    const std::optional<Pose2> pose = to_pose2(message);
+    if (!accepted(topics_.truth, pose ? Reason::kAccepted : Reason::kInvalidPosition)) return;
+    turns_ = turns_ || pose->yaw != 0.0;
+    truth_[stamp] = *pose;
   }
 
+  std::string file_;
   BagTopics topics_;
-  std::vector<TwistSample> twists_;
-  std::vector<GeodeticFix> fixes_;
-  std::map<double, TruthSample> truth_;
+  OdometryReader reader_{{}, ""};
+  std::vector<OdometryIncrement> odometry_;
+  std::vector<ReceivedFix> fixes_;
+  std::map<double, Pose2> truth_;
   std::map<double, bool> shadows_;
   bool turns_ = false;  ///< truth has a heading: one that is always zero was never filled in
-  std::size_t left_out_ = 0;
+  std::map<std::string, int> refusals_;
 };
 
 /// The datum on which the fixes lie on truth, see `read_bag`.
-Geodetic fitted_datum(const std::vector<GeodeticFix>& fixes, const std::vector<TruthSample>& truth,
+Geodetic fitted_datum(const std::vector<ReceivedFix>& fixes, const std::vector<TruthSample>& truth,
                       std::vector<std::string>& notices) {
-  const LocalFrame frame(fixes.front().point);
-  std::vector<double> east[2];
-  std::vector<double> north[2];
-  for (const GeodeticFix& fix : fixes) {
-    const std::optional<TruthSample> sample = truth_at(truth, fix.stamp);
+  const LocalFrame frame(to_geodetic(fixes.front().message));
+  std::map<bool, std::array<std::vector<double>, 2>> offsets;  // east and north, by whether the sky is open
+  for (const ReceivedFix& fix : fixes) {
+    const std::optional<TruthSample> sample = truth_at(truth, fix.message.header.stamp.toSec());
     if (!sample) continue;
-    const Eigen::Vector2d offset = frame.to_map(fix.point) - sample->base_in_map.position();
-    const int open = sample->shadow == false ? 1 : 0;
-    east[open].push_back(offset.x());
-    north[open].push_back(offset.y());
+    const Eigen::Vector2d offset = frame.to_map(to_geodetic(fix.message)) - sample->base_in_map.position();
+    const bool open = sample->shadow.has_value() && !*sample->shadow;
+    offsets[open][0].push_back(offset.x());
+    offsets[open][1].push_back(offset.y());
   }
-  const int open = east[1].empty() ? 0 : 1;
-  if (east[open].empty()) throw DriveError("no fix while there is truth: say the datum of its frame");
-  const Geodetic datum = frame.to_geodetic({quantile(east[open], 0.5), quantile(north[open], 0.5)});
+  if (offsets.empty()) throw DriveError("no fix while there is truth: say the datum of its frame");
+  const auto& [open, best] = *offsets.rbegin();
+  const Geodetic datum = frame.to_geodetic({quantile(best[0], 0.5), quantile(best[1], 0.5)});
   char text[300];
   std::snprintf(
-      text, sizeof text, "truth's datum is not in the bag: taken as %.7f, %.7f from the median of %zu %s",
-      datum.latitude_deg, datum.longitude_deg, east[open].size(),
-      open != 0 ? "fixes in open sky"
-                : "fixes, in open sky or not, which hides what is constant in their error (--datum tells)");
+      text, sizeof(text), "truth's datum is not in the bag: %.7f, %.7f by the median of %zu %s",
+      datum.latitude_deg, datum.longitude_deg, best[0].size(),
+      open ? "fixes in open sky"
+           : "fixes, in open sky or not, which hides what is constant in their error; --datum tells it");
   notices.emplace_back(text);
   return datum;
 }
 
-Geodetic choose_datum(const Collector& bag, const std::vector<TruthSample>& truth,
-                      const std::optional<Geodetic>& datum, std::vector<std::string>& notices) {
+Geodetic choose_datum(const Collector& bag, const Drive& drive, const std::optional<Geodetic>& datum,
+                      std::vector<std::string>& notices) {
   if (datum) return *datum;
-  if (truth.empty()) return bag.fixes().front().point;
-  return fitted_datum(bag.fixes(), truth, notices);
+  if (drive.truth.empty()) return to_geodetic(bag.fixes().front().message);
+  return fitted_datum(bag.fixes(), drive.truth, notices);
 }
 
 BagTopics find_topics(const rosbag::Bag& bag, const std::string& file, const BagTopics& asked) {
@@ -211,24 +197,24 @@ Drive read_bag(const std::string& file, const BagTopics& topics, const std::opti
   try {
     rosbag::Bag bag(file);
     const BagTopics found = find_topics(bag, file, topics);
-    Collector collector(found);
+    Collector collector(file, found);
     for (const rosbag::MessageInstance& message : rosbag::View(bag)) collector.take(message);
-    if (collector.twists().size() < 2) throw DriveError(file + ": fewer than two usable odometry messages");
+    if (collector.odometry().empty()) throw DriveError(file + ": no usable odometry");
     if (collector.fixes().empty()) throw DriveError(file + ": no usable fix");
 
     Drive drive;
     drive.name = std::filesystem::path(file).stem().string();
-    drive.odometry = increments(collector.twists());
+    drive.odometry = collector.odometry();
     drive.truth = collector.truth();
-    if (found.truth.empty()) drive.notices.emplace_back("no truth topic: nothing is scored");
-    if (collector.left_out() > 0) {
-      drive.notices.push_back(std::to_string(collector.left_out()) + " unusable messages left out");
+    if (drive.truth.empty()) drive.notices.emplace_back("no truth: nothing is scored");
+    for (const auto& [refusal, times] : collector.refusals()) {
+      drive.notices.push_back(refusal + ", " + std::to_string(times) + " times");
     }
-    drive.datum = choose_datum(collector, drive.truth, datum, drive.notices);
+    drive.datum = choose_datum(collector, drive, datum, drive.notices);
     const LocalFrame map(drive.datum);
-    for (const GeodeticFix& fix : collector.fixes()) {
-      drive.fixes.push_back(
-          {{fix.stamp, map.to_map(fix.point), fix.covariance, Eigen::Vector2d::Zero()}, fix.arrival});
+    for (const ReceivedFix& received : collector.fixes()) {
+      const CheckedFix checked = to_fix(received.message, map, {});
+      if (checked.reason == Reason::kAccepted) drive.fixes.push_back({checked.fix, received.arrival});
     }
     return drive;
   } catch (const rosbag::BagException& error) {

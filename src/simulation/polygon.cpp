@@ -16,6 +16,35 @@ double distance_to_edge(const Eigen::Vector2d& point, const Eigen::Vector2d& a, 
   return (point - a - along * edge).norm();
 }
 
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Twice the signed area of a triangle, positive counter-clockwise.
+double doubled_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  return cross(b - a, c - a);
+}
+
+bool counter_clockwise(const std::vector<Eigen::Vector2d>& corners) {
+  double doubled = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    doubled += cross(corners[i], corners[(i + 1) % corners.size()]);
+  }
+  return doubled > 0.0;
+}
+
+/// Whether the triangle at corner `i` of a counter-clockwise outline can be cut off.
+bool is_ear(const std::vector<Eigen::Vector2d>& outline, std::size_t i) {
+  const std::size_t n = outline.size();
+  const Eigen::Vector2d& a = outline[(i + n - 1) % n];
+  const Eigen::Vector2d& b = outline[i];
+  const Eigen::Vector2d& c = outline[(i + 1) % n];
+  if (doubled_area(a, b, c) <= 0.0) return false;
+  return std::none_of(outline.begin(), outline.end(), [&](const Eigen::Vector2d& p) {
+    const bool own = p == a || p == b || p == c;
+    return !own && doubled_area(a, b, p) >= 0.0 && doubled_area(b, c, p) >= 0.0 &&
+           doubled_area(c, a, p) >= 0.0;
+  });
+}
+
 }  // namespace
 
 Polygon::Polygon(const std::vector<double>& coordinates, const std::string& owner) {
@@ -45,6 +74,20 @@ double Polygon::depth(const Eigen::Vector2d& point) const {
     nearest = std::min(nearest, distance_to_edge(point, corners_[i], corners_[(i + 1) % corners_.size()]));
   }
   return contains(point) ? nearest : -nearest;
+}
+
+std::vector<Eigen::Vector2d> Polygon::triangles() const {
+  std::vector<Eigen::Vector2d> outline = corners_;
+  if (!counter_clockwise(outline)) std::reverse(outline.begin(), outline.end());
+  std::vector<Eigen::Vector2d> all;
+  while (outline.size() >= 3) {
+    const std::size_t n = outline.size();
+    std::size_t ear = 0;
+    while (ear + 1 < n && !is_ear(outline, ear)) ++ear;
+    for (const std::size_t corner : {ear + n - 1, ear, ear + 1}) all.push_back(outline[corner % n]);
+    outline.erase(outline.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
+  return all;
 }
 
 }  // namespace multipath_localization

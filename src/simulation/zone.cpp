@@ -17,7 +17,7 @@ Eigen::Vector2d along(double direction) { return {std::cos(direction), std::sin(
 
 void ZoneParameters::fields(ParameterVisitor& field) {
   field("name", name, {}, "what to call it");
-  field("shape", shape, {"half_plane", "polygon"}, "");
+  field("shape", shape, {"half_plane", "polygon"}, "half of the plane, or an outline");
   field("corners", corners, {-1e6, 1e6}, "m", "polygon: x0, y0, x1, y1, ... in map");
   field("edge_x", edge_x, {-1e6, 1e6}, "m", "half_plane: a point of its edge, east");
   field("edge_y", edge_y, {-1e6, 1e6}, "m", "half_plane: the same point, north");

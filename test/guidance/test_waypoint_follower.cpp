@@ -149,6 +149,7 @@ TEST(WaypointFollower, StopsAndSaysWhy) {
     return output.status;
   };
   EXPECT_EQ(stop({}, 1.2, Trust::kGood), "stopped: pose is 1.2 s old");
+  EXPECT_EQ(stop({}, -4.0, Trust::kGood), "stopped: pose is 4.0 s ahead");
   EXPECT_EQ(stop({}, nan, Trust::kGood), "stopped: no pose yet");
   EXPECT_EQ(stop({nan, 0.0, 0.0}, 0.0, Trust::kGood), "stopped: pose not finite");
   EXPECT_EQ(stop({}, 0.0, Trust::kNotReady), "stopped: localisation not ready");

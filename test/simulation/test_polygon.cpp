@@ -34,6 +34,22 @@ TEST(Polygon, DoesNotCareForTheSenseOfRotation) {
   EXPECT_DOUBLE_EQ(Polygon(reversed, "l").depth(point), Polygon(kL, "l").depth(point));
 }
 
+TEST(Polygon, TrianglesCoverItsArea) {
+  const Polygon l(kL, "l");
+  const std::vector<Eigen::Vector2d> corners = l.triangles();
+  ASSERT_EQ(corners.size(), 12U);
+  double area = 0.0;
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    const Eigen::Vector2d u = corners[i + 1] - corners[i];
+    const Eigen::Vector2d v = corners[i + 2] - corners[i];
+    const double part = 0.5 * (u.x() * v.y() - u.y() * v.x());
+    EXPECT_GE(part, 0.0);
+    area += part;
+    EXPECT_GE(l.depth((corners[i] + corners[i + 1] + corners[i + 2]) / 3.0), 0.0);
+  }
+  EXPECT_DOUBLE_EQ(area, 12.0);
+}
+
 TEST(Polygon, RefusesFewerThanThreeCorners) {
   EXPECT_THROW(Polygon({}, "empty"), ParameterError);
   EXPECT_THROW(Polygon({0, 0, 1, 0}, "line"), ParameterError);

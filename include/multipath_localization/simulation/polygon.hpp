@@ -20,6 +20,9 @@ class Polygon {
   /// Distance to the nearest edge [m], positive inside, negative outside.
   [[nodiscard]] double depth(const Eigen::Vector2d& point) const;
 
+  /// The area cut into triangles, three corners each, counter-clockwise; for drawing.
+  [[nodiscard]] std::vector<Eigen::Vector2d> triangles() const;
+
   [[nodiscard]] const std::vector<Eigen::Vector2d>& corners() const { return corners_; }
 
  private:

@@ -1,0 +1,149 @@
+#include "nodes/steering_node.hpp"
+
+#include <geometry_msgs/Twist.h>
+#include <std_msgs/Float64.h>
+#include <std_msgs/String.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "multipath_localization/SteeringCommand.h"
+#include "multipath_localization/evaluation/scenario.hpp"
+#include "nodes/conversions.hpp"
+#include "nodes/waypoint_markers.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// What is not one of the known states is not to be driven by.
+Trust to_trust(const LocalizationState& message) {
+  return message.state <= LocalizationState::LOST ? static_cast<Trust>(message.state) : Trust::kLost;
+}
+
+/// A status without its figures, which change all the time.
+std::string kind(const std::string& status) { return status.substr(0, status.find_first_of("0123456789")); }
+
+}  // namespace
+
+void SteeringNodeParameters::fields(ParameterVisitor& field) {
+  follower.fields(field);
+  field("watchdog_period", watchdog_period, {0.001, 10.0}, "s",
+        "between looks whether the pose has become too old");
+  field("map_frame", map_frame, {}, "of poses and waypoints");
+  field("base_link_frame", base_link_frame, {}, "of the robot");
+}
+
+SteeringSettings SteeringSettings::from(const YAML::Node& source) {
+  SteeringSettings settings;
+  YAML::Node parameters = source.IsMap() ? YAML::Clone(source) : YAML::Node();
+  if (parameters.IsMap() && parameters["waypoints"]) {
+    settings.waypoints = load_points(parameters["waypoints"], "waypoints");
+    parameters.remove("waypoints");
+  }
+  load(parameters, settings.parameters);
+  return settings;
+}
+
+SteeringNode::SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                           const SteeringSettings& settings)
+    : parameters_(settings.parameters), follower_(settings.parameters.follower, settings.waypoints) {
+  ros::NodeHandle outer(node);
+  ros::NodeHandle own(private_node);
+  advertise(outer, own);
+  watchdog_ = outer.createWallTimer(ros::WallDuration(parameters_.watchdog_period),
+                                    [this](const ros::WallTimerEvent&) { watch(); });
+}
+
+void SteeringNode::advertise(ros::NodeHandle& node, ros::NodeHandle& private_node) {
+  steering_ = node.advertise<SteeringCommand>("steering", 10);
+  cmd_vel_ = node.advertise<geometry_msgs::Twist>("cmd_vel", 10);
+  status_out_ = private_node.advertise<std_msgs::String>("status", 10, true);
+  progress_out_ = private_node.advertise<std_msgs::Float64>("progress", 10, true);
+  markers_ = private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, true);
+  pose_in_ = node.subscribe<nav_msgs::Odometry>(
+      "odometry/filtered_map", 10,
+      [this](const nav_msgs::OdometryConstPtr& message) { take_pose(*message); });
+  state_in_ = node.subscribe<LocalizationState>(
+      "localization/state", 10,
+      [this](const LocalizationStateConstPtr& message) { trust_ = to_trust(*message); });
+  waypoints_in_ = node.subscribe<geometry_msgs::PoseArray>(
+      "waypoints", 1, [this](const geometry_msgs::PoseArrayConstPtr& message) { take_waypoints(*message); });
+}
+
+void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
+  if (without_slash(message.header.frame_id) != parameters_.map_frame) {
+    ROS_WARN_STREAM_THROTTLE(5.0, "pose in frame '" << message.header.frame_id << "' instead of '"
+                                                    << parameters_.map_frame << "' is not driven by");
+    return;
+  }
+  pose_ = to_pose2(message.pose.pose).value_or(Pose2{kNaN, kNaN, kNaN});
+  pose_stamp_ = message.header.stamp;
+  drive();
+}
+
+void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
+  if (without_slash(message.header.frame_id) != parameters_.map_frame) {
+    ROS_ERROR_STREAM("waypoints in frame '" << message.header.frame_id << "' instead of '"
+                                            << parameters_.map_frame << "' are refused");
+    return;
+  }
+  std::vector<Eigen::Vector2d> waypoints;
+  for (const geometry_msgs::Pose& pose : message.poses)
+    waypoints.emplace_back(pose.position.x, pose.position.y);
+  try {
+    follower_ = WaypointFollower(parameters_.follower, waypoints);
+    progress_ = -1.0;
+  } catch (const std::invalid_argument& error) {
+    ROS_ERROR_STREAM("waypoints are refused: " << error.what());
+  }
+}
+
+double SteeringNode::pose_age(const ros::Time& now) const {
+  return pose_stamp_.isZero() ? kNaN : (now - pose_stamp_).toSec();
+}
+
+void SteeringNode::watch() {
+  const double age = pose_age(ros::Time::now());
+  if (!(std::abs(age) <= parameters_.follower.max_pose_age)) drive();
+}
+
+void SteeringNode::drive() {
+  const ros::Time now = ros::Time::now();
+  const FollowerOutput output = follower_.command(pose_, pose_age(now), trust_);
+  publish(output.command, now);
+  report(output.status);
+}
+
+void SteeringNode::publish(const MotionCommand& command, const ros::Time& now) {
+  SteeringCommand steering;
+  steering.header.stamp = now;
+  steering.header.frame_id = parameters_.base_link_frame;
+  steering.speed = command.speed;
+  steering.steering_angle = command.steering_angle;
+  steering_.publish(steering);
+  geometry_msgs::Twist twist;
+  twist.linear.x = command.speed;
+  twist.angular.z = yaw_rate(command, parameters_.follower.wheelbase);
+  cmd_vel_.publish(twist);
+}
+
+void SteeringNode::report(const std::string& status) {
+  if (status != status_) {
+    if (kind(status) != kind(status_)) ROS_INFO_STREAM(status);
+    std_msgs::String message;
+    message.data = status_ = status;
+    status_out_.publish(message);
+  }
+  if (follower_.progress() != progress_) {
+    std_msgs::Float64 message;
+    message.data = progress_ = follower_.progress();
+    progress_out_.publish(message);
+    markers_.publish(waypoint_markers(follower_, parameters_.map_frame));
+  }
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,32 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "nodes/steering_node.hpp"
+
+namespace multipath_localization {
+namespace {
+
+TEST(SteeringNode, ConfigFileHoldsTheDefaults) {
+  std::stringstream text;
+  text << std::ifstream(std::string(CONFIG_DIR) + "/steering.yaml").rdbuf();
+  EXPECT_EQ(text.str(), describe(SteeringNodeParameters{}));
+}
+
+TEST(SteeringNode, ReadsWaypointsBesideItsParameters) {
+  const auto settings =
+      SteeringSettings::from(YAML::Load("{cruise_speed: 0.7, waypoints: [[1, 2], [3.5, -4]]}"));
+  EXPECT_EQ(settings.parameters.follower.cruise_speed, 0.7);
+  ASSERT_EQ(settings.waypoints.size(), 2U);
+  EXPECT_EQ(settings.waypoints[1], Eigen::Vector2d(3.5, -4.0));
+  EXPECT_TRUE(SteeringSettings::from(YAML::Node()).waypoints.empty());
+}
+
+TEST(SteeringNode, RefusesParametersNobodyReads) {
+  EXPECT_THROW(SteeringSettings::from(YAML::Load("{cruise_sped: 0.7}")), ParameterError);
+  EXPECT_THROW(SteeringSettings::from(YAML::Load("{waypoints: [1, 2]}")), ParameterError);
+}
+
+}  // namespace
+}  // namespace multipath_localization
