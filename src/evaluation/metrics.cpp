@@ -101,8 +101,7 @@ Score score_fixes(const Drive& drive, double from) {
     if (recorded.fix.stamp < from) continue;
     const std::optional<TruthSample> truth = truth_at(drive.truth, recorded.fix.stamp);
     if (!truth) continue;
-    const Eigen::Vector2d antenna =
-        truth->has_yaw ? truth->base_in_map * recorded.fix.antenna_in_base : truth->base_in_map.position();
+    const Eigen::Vector2d antenna = antenna_in_map(*truth, recorded.fix.antenna_in_base);
     errors.push_back({(recorded.fix.position - antenna).norm(), truth->shadow});
   }
   Score score;
