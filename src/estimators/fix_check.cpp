@@ -34,6 +34,17 @@ std::optional<Reason> defect(const GnssFix& fix) {
   return std::nullopt;
 }
 
+bool usable(const PosePrior& prior) {
+  return std::isfinite(prior.stamp) && prior.pose.finite() && prior.covariance.allFinite() &&
+         prior.covariance.diagonal().minCoeff() > 0.0 &&
+         prior.covariance.isApprox(prior.covariance.transpose(), kRounding);
+}
+
+bool usable(const OdometryIncrement& u) {
+  return std::isfinite(u.stamp) && std::isfinite(u.speed) && std::isfinite(u.yaw_rate) &&
+         std::isfinite(u.duration) && u.duration > 0.0;
+}
+
 std::optional<Reason> FixCheck::defect(const GnssFix& fix) {
   if (const auto found = multipath_localization::defect(fix)) return found;
   if (last_position_ == fix.position) return Reason::kFrozen;

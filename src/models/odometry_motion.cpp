@@ -7,6 +7,9 @@ namespace multipath_localization {
 
 namespace {
 
+constexpr double kStandstillSpeed = 0.01;   ///< [m/s]
+constexpr double kStandstillYawRate = 0.1;  ///< [rad/s], above the bias and noise of a gyro
+
 double sinc_slope(double x) {
   return std::abs(x) < 1e-4 ? -x / 3.0 : (x * std::cos(x) - std::sin(x)) / (x * x);
 }
@@ -33,6 +36,10 @@ void SteeringNoiseParameters::fields(ParameterVisitor& field) {
         "no steering noise turns the wheel further; 1.57 as printed");
 }
 
+bool standing(const OdometryIncrement& u) {
+  return std::abs(u.speed) < kStandstillSpeed && std::abs(u.yaw_rate) < kStandstillYawRate;
+}
+
 double steering_angle(const OdometryIncrement& u, double wheelbase) {
   if (std::abs(u.speed) < kStandstillSpeed) return 0.0;
   return std::atan(wheelbase * u.yaw_rate / u.speed);
@@ -54,6 +61,7 @@ SteeringMotion::SteeringMotion(const OdometryIncrement& u, const SteeringNoisePa
 }
 
 Pose2 SteeringMotion::sample(const Pose2& pose, RandomStream& random) const {
+  if (standing(u_)) return pose;
   if (deviation_scale_ == 0.0) return pose * displacement(u_);
   const double v = u_.speed + sigma_speed_ * random.normal();
   const double phi = std::clamp(steering_angle_ + sigma_steering_ * random.normal(), -max_steering_angle_,

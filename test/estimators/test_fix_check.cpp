@@ -79,5 +79,28 @@ TEST(FixCheck, DefectiveFixesAreNotRemembered) {
   EXPECT_EQ(check.defect(sound_fix()), std::nullopt);
 }
 
+TEST(Usable, PriorsAreFiniteWithPositiveVariances) {
+  PosePrior prior;
+  EXPECT_TRUE(usable(prior));
+  prior.covariance(2, 2) = 0.0;
+  EXPECT_FALSE(usable(prior));
+  prior.covariance(2, 2) = kNan;
+  EXPECT_FALSE(usable(prior));
+  prior.covariance.setIdentity();
+  prior.covariance(0, 2) = 0.5;
+  EXPECT_FALSE(usable(prior));
+  prior.covariance(2, 0) = 0.5;
+  EXPECT_TRUE(usable(prior));
+  prior.pose.yaw = kInf;
+  EXPECT_FALSE(usable(prior));
+}
+
+TEST(Usable, IncrementsAreFiniteAndLast) {
+  EXPECT_TRUE(usable(OdometryIncrement{1.0, 0.02, 1.0, 0.1}));
+  EXPECT_FALSE(usable(OdometryIncrement{1.0, 0.0, 1.0, 0.1}));
+  EXPECT_FALSE(usable(OdometryIncrement{1.0, 0.02, kNan, 0.1}));
+  EXPECT_FALSE(usable(OdometryIncrement{1.0, 0.02, 1.0, kInf}));
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -117,6 +117,14 @@ TEST(SteeringMotion, StandingStillDiffusesNothing) {
   EXPECT_EQ(end.yaw, start.yaw);
 }
 
+TEST(SteeringMotion, GyroBiasDoesNotTurnAParkedRobotButATurnOnTheSpotDoes) {
+  RandomStream random(3, 0, 0);
+  EXPECT_EQ(SteeringMotion(increment(0.5, 0.0, 0.02), {}).sample({}, random).yaw, 0.0);
+  const Pose2 turned = SteeringMotion(increment(0.5, 0.0, 0.8), {}).sample({}, random);
+  EXPECT_NEAR(turned.yaw, 0.4, 1e-12);
+  EXPECT_EQ(turned.x, 0.0);
+}
+
 TEST(SteeringMotion, PrintedNoiseStaysFinite) {
   SteeringNoiseParameters parameters;
   parameters.noise_scale = 1.0;

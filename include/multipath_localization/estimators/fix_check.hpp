@@ -16,6 +16,13 @@ namespace multipath_localization {
 ///   or 1e8 m^2 or more. All zeros are valid: the receiver declares nothing.
 std::optional<Reason> defect(const GnssFix& fix);
 
+/// False for a prior with anything not finite, a variance that is not positive or a covariance that is not
+/// symmetric.
+bool usable(const PosePrior& prior);
+
+/// False for an increment with anything not finite or a duration that is not positive.
+bool usable(const OdometryIncrement& u);
+
 /// `defect` with a memory of one fix, to tell a receiver that has frozen.
 class FixCheck {
  public:

@@ -9,9 +9,9 @@
 
 namespace multipath_localization {
 
-/// Slower than this [m/s] the wheels count as standing: no noise is drawn, so that a parked robot's belief
-/// stays.
-inline constexpr double kStandstillSpeed = 0.01;
+/// True when the wheels stand: then nothing moves, turns or diffuses, and a gyro's bias does not turn a parked robot.
+/// Turning on the spot is no standstill.
+bool standing(const OdometryIncrement& u);
 
 /// Noise of a front-wheel-steering robot's motion, Eqs. (5)-(7) of [NIS].
 struct SteeringNoiseParameters {
@@ -31,7 +31,7 @@ struct SteeringNoiseParameters {
 
 /// The front wheel's angle phi that gives the increment's yaw rate, by Eq. (4) of [NIS]: atan(l omega / v),
 /// in
-/// (-pi/2, pi/2); 0 at standstill.
+/// (-pi/2, pi/2); 0 when turning on the spot, which Eq. (4) cannot.
 double steering_angle(const OdometryIncrement& u, double wheelbase);
 
 /// Draws motions p_f, Eq. (8) of [NIS], over one increment. Arcs are in chord form (see `displacement`),
@@ -44,7 +44,8 @@ class SteeringMotion {
  public:
   SteeringMotion(const OdometryIncrement& u, const SteeringNoiseParameters& parameters);
 
-  /// A pose at the end of the increment, from one at its start. At standstill no number is drawn.
+  /// A pose at the end of the increment, from one at its start. Turns on the spot are free of noise, by Eqs.
+  /// (5)-(7) with v = 0.
   [[nodiscard]] Pose2 sample(const Pose2& pose, RandomStream& random) const;
 
  private:
