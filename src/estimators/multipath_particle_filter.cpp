@@ -64,7 +64,7 @@ void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
   odometry_.restart(0.0, 0.0);
   alignment_.clear();
   fix_check_.forget();
-  distance_since_fix_ = confirmed_for_ = settled_for_ = 0.0;
+  distance_since_fix_ = confirmed_over_ = settled_over_ = 0.0;
   confirmed_ = false;
   step_ = 0;
   if (prior) start_at(*prior);
@@ -210,7 +210,7 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
   if (moving) {
     const Eigen::Vector2d lever = rotation(cluster_.belief.mean(kYaw)) * fix.antenna_in_base;
     alignment_.add(Eigen::Vector2d(fix.position - lever));
-    update_confirmation(duration);
+    update_confirmation();
   }
   RandomStream mixing(seed_, step_, kMixing);
   mix_classes(particles_, rates_, parameters_.classes, class_time, mixing);
@@ -251,7 +251,7 @@ std::vector<double> MultipathParticleFilter::sample_modes(const GnssFix& fix, do
   return log_likelihood;
 }
 
-void MultipathParticleFilter::update_confirmation(double duration) {
+void MultipathParticleFilter::update_confirmation() {
   double open_quiet = 0.0;
   for (const BeliefParticle& particle : particles_) {
     if (!particle.mode.shadow && !particle.mode.noisy) open_quiet += particle.weight;
@@ -259,12 +259,12 @@ void MultipathParticleFilter::update_confirmation(double duration) {
   const bool settled = class_probability_[kCanyon] > kSettledProbability &&
                        cluster_.mass > kSettledProbability &&
                        cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
-  const auto count = [&](double& time, bool holds) {
-    time = std::max(0.0, time + (holds ? duration : -duration));
+  const auto count = [this](double& distance, bool holds) {
+    distance = std::max(0.0, distance + (holds ? distance_since_fix_ : -distance_since_fix_));
   };
-  count(confirmed_for_, open_quiet > parameters_.confirm_probability);
-  count(settled_for_, settled);
-  confirmed_ = confirmed_ || confirmed_for_ > parameters_.confirm_time;
+  count(confirmed_over_, open_quiet > parameters_.confirm_probability);
+  count(settled_over_, settled);
+  confirmed_ = confirmed_ || confirmed_over_ > parameters_.confirm_distance;
 }
 
 Belief MultipathParticleFilter::current_belief() const {
@@ -280,7 +280,7 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   const Belief belief = current_belief();
   const Eigen::Matrix2d floor = square(parameters_.position_sigma_floor) * Eigen::Matrix2d::Identity();
   result.valid = true;
-  result.aligned = confirmed_ || settled_for_ > parameters_.confirm_time;
+  result.aligned = confirmed_ || settled_over_ > parameters_.confirm_distance;
   result.pose = belief.pose();
   result.covariance = belief.covariance.topLeftCorner<3, 3>();
   result.covariance.topLeftCorner<2, 2>() += floor;

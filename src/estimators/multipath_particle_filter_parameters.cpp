@@ -37,7 +37,7 @@ void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
         "variance of that heading at best: a bias that turns tilts it");
   field("confirm_probability", confirm_probability, {0.5, 1.0}, "1",
         "probability of open sky that counts towards confirming the pose");
-  field("confirm_time", confirm_time, {0.0, 600.0}, "s", "driving under open sky that confirms the pose");
+  field("confirm_distance", confirm_distance, {0.0, 1000.0}, "m", "driving under open sky that confirms the pose");
   field("position_sigma_floor", position_sigma_floor, {0.0, 100.0}, "m",
         "added to the published position: no covariance is believed below it");
   field.group("odometry", odometry, "how far the wheel odometry can be trusted");

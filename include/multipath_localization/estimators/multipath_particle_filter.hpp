@@ -35,7 +35,7 @@ struct MultipathParticleFilterParameters {
   double alignment_length = 12.0;
   double alignment_variance_floor = 0.02;
   double confirm_probability = 0.8;
-  double confirm_time = 10.0;
+  double confirm_distance = 20.0;
   double position_sigma_floor = 0.05;
   OdometryNoise odometry;
   ReceiverClasses classes;
@@ -74,7 +74,7 @@ class MultipathParticleFilter : public Estimator {
   /// Samples the mode of every hypothesis and corrects it by the fix; gives the log likelihood of each.
   std::vector<double> sample_modes(const GnssFix& fix, double duration);
   [[nodiscard]] FixInterval interval(const ReceiverClass& receiver, double duration) const;
-  void update_confirmation(double duration);
+  void update_confirmation();
   void refresh_cluster();
   [[nodiscard]] Innovation innovation(const GnssFix& fix) const;
   [[nodiscard]] Belief current_belief() const;
@@ -95,8 +95,8 @@ class MultipathParticleFilter : public Estimator {
   double now_ = 0.0;
   double last_fix_ = 0.0;
   double distance_since_fix_ = 0.0;
-  double confirmed_for_ = 0.0;  ///< time moved under an open sky that explains the fixes [s]
-  double settled_for_ = 0.0;    ///< time moved in a canyon with one heading left [s]
+  double confirmed_over_ = 0.0;  ///< distance moved under an open sky that explains the fixes [m]
+  double settled_over_ = 0.0;    ///< distance moved in a canyon with one heading left [m]
   bool confirmed_ = false;
 };
 
