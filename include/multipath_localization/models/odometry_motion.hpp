@@ -9,8 +9,8 @@
 
 namespace multipath_localization {
 
-/// True when the wheels stand: then nothing moves, turns or diffuses, and a gyro's bias does not turn a parked robot.
-/// Turning on the spot is no standstill.
+/// True when the wheels stand: then nothing moves, turns or diffuses, and a gyro's bias does not turn a
+/// parked robot. Turning on the spot is no standstill.
 bool standing(const OdometryIncrement& u);
 
 /// Noise of a front-wheel-steering robot's motion, Eqs. (5)-(7) of [NIS].
