@@ -22,7 +22,7 @@ struct SteeringNoiseParameters {
   double alpha4 = 0.3;
   double alpha5 = 3.0;
   double alpha6 = 0.3;
-  double noise_scale = 1e-3;   ///< departs: 1 as printed, which wraps the steering angle round the circle
+  double noise_scale = 3e-3;   ///< departs: 1 as printed, which wraps the steering angle round the circle
   double noise_period = 0.01;  ///< Delta of [NIS] [s]
   double max_steering_angle = 1.2;  ///< departs: no limit as printed [rad]
 
