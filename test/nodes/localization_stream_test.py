@@ -88,5 +88,5 @@ class LocalizationStream(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('test_localization_stream')
+    rospy.init_node('localization_stream_test')
     rostest.rosrun('multipath_localization', 'localization_stream', LocalizationStream)
