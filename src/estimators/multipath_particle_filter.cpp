@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/models/odometry_motion.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -143,7 +145,7 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   if (particles_.empty()) return;
   odometry_.add(u);
   distance_since_fix_ += std::abs(u.speed) * u.duration;
-  if (std::abs(u.speed) >= parameters_.odometry.still_speed) alignment_.add(u);
+  if (!standing(u)) alignment_.add(u);
   if (odometry_.duration() > kMaxFlush) flush_odometry();
 }
 
