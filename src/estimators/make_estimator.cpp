@@ -1,8 +1,10 @@
 #include "multipath_localization/estimators/make_estimator.hpp"
 
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/estimators/conventional_particle_filter.hpp"
 #include "multipath_localization/estimators/gated_ekf.hpp"
 #include "multipath_localization/estimators/multipath_particle_filter.hpp"
+#include "multipath_localization/estimators/nishida_particle_filter.hpp"
 
 namespace multipath_localization {
 
@@ -29,6 +31,8 @@ Entry entry(const char* name) {
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {
       entry<MultipathParticleFilter, MultipathParticleFilterParameters>("multipath_particle_filter"),
+      entry<FixParticleFilter, NishidaParticleFilterParameters>("nishida_particle_filter"),
+      entry<FixParticleFilter, ConventionalParticleFilterParameters>("conventional_particle_filter"),
       entry<GatedEkf, GatedEkfParameters>("gated_ekf"),
   };
   return all;

@@ -88,6 +88,10 @@ std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, doubl
   return sample;
 }
 
+Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& antenna_in_base) {
+  return truth.has_yaw ? truth.base_in_map * antenna_in_base : truth.base_in_map.position();
+}
+
 Drive read_drive(const std::string& directory) {
   const std::filesystem::path folder = directory;
   Drive drive;

@@ -15,7 +15,7 @@ namespace {
 
 std::string number(double value, int digits) {
   char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
+  std::snprintf(text, sizeof(text), std::abs(value) < 1e6 ? "%.*f" : "%.*e", digits, value);
   return text;
 }
 

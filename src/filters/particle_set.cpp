@@ -88,14 +88,20 @@ PoseMoments moments(const ParticleSet& particles, const std::vector<double>& wei
 std::vector<double> dominant_cluster(const ParticleSet& particles, const std::vector<double>& weights,
                                      double distance, double turn) {
   const double reach = distance * distance;
+  const double least_cosine = turn < kPi ? std::cos(turn) : -2.0;
+  std::vector<double> c(particles.size());
+  std::vector<double> s(particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    c[i] = std::cos(particles.yaw[i]);
+    s[i] = std::sin(particles.yaw[i]);
+  }
   const auto cluster_round = [&](std::size_t centre) {
     std::vector<double> members(weights.size(), 0.0);
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const double dx = particles.x[i] - particles.x[centre];
       const double dy = particles.y[i] - particles.y[centre];
-      if (dx * dx + dy * dy > reach) continue;
-      if (std::abs(angle_difference(particles.yaw[i], particles.yaw[centre])) <= turn)
-        members[i] = weights[i];
+      const double cosine = c[i] * c[centre] + s[i] * s[centre];
+      if (dx * dx + dy * dy <= reach && cosine >= least_cosine) members[i] = weights[i];
     }
     return members;
   };

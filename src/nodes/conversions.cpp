@@ -146,12 +146,12 @@ nav_msgs::Odometry with_motion(nav_msgs::Odometry odometry, const OdometryIncrem
   return odometry;
 }
 
-geometry_msgs::Transform map_to_odom(const Pose2& base_in_map, const Pose2& base_in_odom) {
-  const geometry_msgs::Pose odom_in_map = to_message(base_in_map * inverse(base_in_odom));
+geometry_msgs::Transform to_transform(const Pose2& child_in_parent) {
+  const geometry_msgs::Pose pose = to_message(child_in_parent);
   geometry_msgs::Transform transform;
-  transform.translation.x = odom_in_map.position.x;
-  transform.translation.y = odom_in_map.position.y;
-  transform.rotation = odom_in_map.orientation;
+  transform.translation.x = pose.position.x;
+  transform.translation.y = pose.position.y;
+  transform.rotation = pose.orientation;
   return transform;
 }
 

@@ -80,8 +80,8 @@ geometry_msgs::Pose to_message(const Pose2& pose);
 /// the diagonal.
 std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message);
 
-/// map -> odom so that odom's pose of the base comes to lie at `base_in_map`.
-geometry_msgs::Transform map_to_odom(const Pose2& base_in_map, const Pose2& base_in_odom);
+/// The pose of a child frame in its parent as the transform between them.
+geometry_msgs::Transform to_transform(const Pose2& child_in_parent);
 
 /// The odometry with the motion that was read from it as its twist. A twist covariance with an entry that is
 /// not finite becomes zero, which stands for unknown.

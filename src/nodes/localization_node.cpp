@@ -8,6 +8,7 @@ namespace multipath_localization {
 
 namespace {
 
+constexpr double kAnsweredLate = 0.5;      ///< [s]
 constexpr double kTellEvery = 5.0;         ///< [s]
 constexpr double kDiagnosticsEvery = 1.0;  ///< [s]
 
@@ -24,8 +25,8 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       tf_(node, parameters_.frames),
       map_to_odom_(parameters_.frames, parameters_.outputs),
       outputs_(node, private_node, parameters_),
-      fix_input_("fix", node.subscribe("gps/fix", 50, &LocalizationNode::on_fix, this, at_once())),
-      odometry_input_("odom", node.subscribe("odom", 200, &LocalizationNode::on_odometry, this, at_once())),
+      fix_input_("fix", node.subscribe("gps/fix", 500, &LocalizationNode::on_fix, this, at_once())),
+      odometry_input_("odom", node.subscribe("odom", 1000, &LocalizationNode::on_odometry, this, at_once())),
       diagnostics_(fix_input_, odometry_input_, localizer_, tf_, parameters_) {
   initial_pose_ = node.subscribe("initialpose", 5, &LocalizationNode::on_pose, this);
   set_pose_ = node.subscribe("set_pose", 5, &LocalizationNode::on_pose, this);
@@ -60,13 +61,12 @@ void LocalizationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) 
   }
   const ros::WallTime begin = ros::WallTime::now();
   localizer_.add(checked.increment);
-  odometry_ = with_motion(*message, checked.increment);
-  base_in_odom_ = checked.base_in_odom;
-  pose_published_ = false;
+  odometry_ = {with_motion(*message, checked.increment), checked.base_in_odom};
+  unanswered_.push_back(*odometry_);
   if (parameters_.outputs.publish_odom_tf && tf_.broadcaster_of_base().empty()) {
-    map_to_odom_.send_odometry(base_in_odom_, message->header.stamp);
+    map_to_odom_.send_odometry(checked.base_in_odom, message->header.stamp);
   }
-  publish_pose();
+  publish_poses();
   publish_reports();
   if (early_fix_) use(*std::exchange(early_fix_, std::nullopt));
   diagnostics_.add_update_time((ros::WallTime::now() - begin).toSec());
@@ -86,7 +86,7 @@ void LocalizationNode::use(const sensor_msgs::NavSatFix& message) {
   const Reason reason = hand_over(message);
   if (reason != Reason::kAccepted) report(message.header.stamp.toSec(), refused(reason));
   publish_reports();
-  if (!pose_published_) publish_pose();
+  publish_poses();
 }
 
 Reason LocalizationNode::hand_over(const sensor_msgs::NavSatFix& message) {
@@ -112,14 +112,23 @@ std::optional<Eigen::Vector2d> LocalizationNode::antenna_in_base(const std::stri
   return Eigen::Vector2d::Zero();
 }
 
-void LocalizationNode::publish_pose() {
+void LocalizationNode::publish_poses() {
+  if (unanswered_.empty()) return;
   const PoseEstimate estimate = localizer_.estimate();
   if (estimate.valid && !finite(estimate)) return restart("the estimate was not finite");
-  if (!estimate.valid || !datum_.map()) return outputs_.publish_changed_state(localizer_, odometry_stamp());
-  pose_published_ = true;
-  outputs_.publish(localizer_, *odometry_, *datum_.map());
-  map_to_odom_.send(map_to_odom(estimate.pose, base_in_odom_), odometry_stamp(), ros::Time::now());
-  diagnostics_.add_pose();
+  if (!estimate.valid || !datum_.map()) {
+    const double now = odometry_stamp().toSec();
+    while (unanswered_.front().message.header.stamp.toSec() < now - kAnsweredLate) unanswered_.pop_front();
+    return outputs_.publish_changed_state(localizer_, odometry_stamp());
+  }
+  const Pose2 odom_in_map = estimate.pose * inverse(odometry_->base_in_odom);
+  for (const ReadOdometry& odometry : std::exchange(unanswered_, {})) {
+    PoseEstimate then = estimate;
+    then.pose = odom_in_map * odometry.base_in_odom;
+    outputs_.publish(localizer_, then, odometry.message, *datum_.map());
+    diagnostics_.add_pose();
+  }
+  map_to_odom_.send(odom_in_map, odometry_stamp(), ros::Time::now());
 }
 
 void LocalizationNode::publish_reports() {

@@ -7,6 +7,7 @@
 #include <std_srvs/Empty.h>
 #include <std_srvs/SetBool.h>
 
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -28,6 +29,11 @@ class LocalizationNode {
   LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node, const LocalizationSettings& settings);
 
  private:
+  struct ReadOdometry {
+    nav_msgs::Odometry message;  ///< its twist is the motion read from it
+    Pose2 base_in_odom;
+  };
+
   void on_odometry(const nav_msgs::Odometry::ConstPtr& message);
   void on_fix(const sensor_msgs::NavSatFix::ConstPtr& message);
   void on_pose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr& message);
@@ -40,11 +46,15 @@ class LocalizationNode {
   Reason hand_over(const sensor_msgs::NavSatFix& message);
   /// The same, and publishes what comes of it.
   void use(const sensor_msgs::NavSatFix& message);
-  void publish_pose();
+  /// Answers the odometry that has no pose as yet: the last message, and at the start those before it,
+  /// because the first fix may reach us after odometry that is younger.
+  void publish_poses();
   void publish_reports();
   /// Reports the oldest open fix of this stamp.
   void report(double stamp, const Innovation& innovation);
-  [[nodiscard]] ros::Time odometry_stamp() const { return odometry_ ? odometry_->header.stamp : ros::Time(); }
+  [[nodiscard]] ros::Time odometry_stamp() const {
+    return odometry_ ? odometry_->message.header.stamp : ros::Time();
+  }
 
   /// Starts the estimator afresh, at the prior if there is one. What had waited is reported as not started.
   void restart(const std::string& why, const std::optional<PosePrior>& prior = std::nullopt);
@@ -68,9 +78,8 @@ class LocalizationNode {
 
   bool enabled_ = true;
   ros::Time latest_clock_;
-  std::optional<nav_msgs::Odometry> odometry_;       ///< the last one accepted, with the motion read from it
-  Pose2 base_in_odom_;                               ///< its pose
-  bool pose_published_ = false;                      ///< for that odometry
+  std::optional<ReadOdometry> odometry_;             ///< the last one accepted
+  std::deque<ReadOdometry> unanswered_;              ///< those of the last moments without a pose as yet
   std::optional<sensor_msgs::NavSatFix> early_fix_;  ///< came before any odometry
 
   ros::Subscriber initial_pose_, set_pose_;

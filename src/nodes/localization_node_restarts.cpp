@@ -47,6 +47,7 @@ void LocalizationNode::restart(const std::string& why, const std::optional<PoseP
   publish_reports();
   localizer_.start(prior);
   early_fix_.reset();
+  unanswered_.clear();
   while (const auto left = fixes_.oldest()) report(*left, refused(Reason::kNotStarted));
   outputs_.clear();
   outputs_.publish_changed_state(localizer_, odometry_stamp());

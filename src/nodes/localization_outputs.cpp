@@ -13,13 +13,13 @@ LocalizationOutputs::LocalizationOutputs(ros::NodeHandle node, ros::NodeHandle p
                                          const LocalizationParameters& parameters)
     : frames_(parameters.frames),
       parameters_(parameters.outputs),
-      odometry_(node.advertise<nav_msgs::Odometry>("odometry/filtered_map", 50)),
-      pose_(node.advertise<geometry_msgs::PoseWithCovarianceStamped>("pose", 50)),
+      odometry_(node.advertise<nav_msgs::Odometry>("odometry/filtered_map", 1000)),
+      pose_(node.advertise<geometry_msgs::PoseWithCovarianceStamped>("pose", 1000)),
       cloud_(node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true)),
       gps_odometry_(node.advertise<nav_msgs::Odometry>("odometry/gps", 10)),
       gps_filtered_(node.advertise<sensor_msgs::NavSatFix>("gps/filtered", 50)),
       bias_(private_node.advertise<GnssBias>("bias", 10)),
-      report_(private_node.advertise<FixReport>("fix_report", 100)),
+      report_(private_node.advertise<FixReport>("fix_report", 1000)),
       state_(node.advertise<LocalizationState>("localization/state", 10, true)),
       markers_(private_node.advertise<visualization_msgs::MarkerArray>("markers", 2)) {}
 
@@ -30,9 +30,8 @@ std_msgs::Header LocalizationOutputs::in_map(const ros::Time& stamp) const {
   return header;
 }
 
-void LocalizationOutputs::publish(const Localizer& localizer, const nav_msgs::Odometry& odometry,
-                                  const LocalFrame& map) {
-  const PoseEstimate estimate = localizer.estimate();
+void LocalizationOutputs::publish(const Localizer& localizer, const PoseEstimate& estimate,
+                                  const nav_msgs::Odometry& odometry, const LocalFrame& map) {
   const std_msgs::Header header = in_map(odometry.header.stamp);
   odometry_.publish(to_odometry(estimate, odometry, frames_.map_frame, frames_.base_link_frame));
   if (pose_.getNumSubscribers() > 0) {

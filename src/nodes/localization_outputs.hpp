@@ -18,8 +18,10 @@ class LocalizationOutputs {
   LocalizationOutputs(ros::NodeHandle node, ros::NodeHandle private_node,
                       const LocalizationParameters& parameters);
 
-  /// The pose that belongs to one odometry message; particles, state and markers at most at `cloud_rate`.
-  void publish(const Localizer& localizer, const nav_msgs::Odometry& odometry, const LocalFrame& map);
+  /// The estimate as the pose that belongs to one odometry message; particles, state and markers at most at
+  /// `cloud_rate`.
+  void publish(const Localizer& localizer, const PoseEstimate& estimate, const nav_msgs::Odometry& odometry,
+               const LocalFrame& map);
 
   /// The state alone, latched, when it is not the one published last.
   void publish_changed_state(const Localizer& localizer, const ros::Time& stamp);

@@ -5,17 +5,16 @@ namespace multipath_localization {
 MapToOdom::MapToOdom(const FrameParameters& frames, const OutputParameters& outputs)
     : frames_(frames), outputs_(outputs) {}
 
-void MapToOdom::send(const geometry_msgs::Transform& map_to_odom, const ros::Time& stamp,
-                     const ros::Time& arrival) {
+void MapToOdom::send(const Pose2& odom_in_map, const ros::Time& stamp, const ros::Time& arrival) {
   if (!outputs_.publish_tf) return;
-  map_to_odom_ = map_to_odom;
+  odom_in_map_ = odom_in_map;
   odometry_stamp_ = stamp;
   arrival_ = arrival;
   broadcast(stamp + ros::Duration(outputs_.transform_tolerance));
 }
 
 void MapToOdom::keep_up(const ros::Time& now, double longest_silence) {
-  if (!map_to_odom_ || now < arrival_ || (now - arrival_).toSec() > longest_silence) return;
+  if (!odom_in_map_ || now < arrival_ || (now - arrival_).toSec() > longest_silence) return;
   const ros::Time stamp = odometry_stamp_ + (now - arrival_) + ros::Duration(outputs_.transform_tolerance);
   if (stamp > last_sent_ && (stamp - last_sent_).toSec() > 0.5 / outputs_.tf_rate) broadcast(stamp);
 }
@@ -27,26 +26,23 @@ void MapToOdom::broadcast(const ros::Time& stamp) {
   message.header.stamp = stamp;
   message.header.frame_id = frames_.map_frame;
   message.child_frame_id = frames_.odom_frame;
-  message.transform = *map_to_odom_;
+  message.transform = to_transform(*odom_in_map_);
   broadcaster_.sendTransform(message);
 }
 
 void MapToOdom::send_odometry(const Pose2& base_in_odom, const ros::Time& stamp) {
   if (stamp <= last_odometry_sent_) return;
   last_odometry_sent_ = stamp;
-  const geometry_msgs::Pose pose = to_message(base_in_odom);
   geometry_msgs::TransformStamped message;
   message.header.stamp = stamp;
   message.header.frame_id = frames_.odom_frame;
   message.child_frame_id = frames_.base_link_frame;
-  message.transform.translation.x = pose.position.x;
-  message.transform.translation.y = pose.position.y;
-  message.transform.rotation = pose.orientation;
+  message.transform = to_transform(base_in_odom);
   broadcaster_.sendTransform(message);
 }
 
 void MapToOdom::clear() {
-  map_to_odom_.reset();
+  odom_in_map_.reset();
   last_sent_ = last_odometry_sent_ = ros::Time();
 }
 

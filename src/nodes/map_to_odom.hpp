@@ -1,6 +1,5 @@
 #pragma once
 
-#include <geometry_msgs/Transform.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <optional>
@@ -17,7 +16,7 @@ class MapToOdom {
 
   /// Sends the correction that belongs to odometry of this stamp, dated `transform_tolerance` ahead.
   /// `arrival` is the clock's time.
-  void send(const geometry_msgs::Transform& map_to_odom, const ros::Time& stamp, const ros::Time& arrival);
+  void send(const Pose2& odom_in_map, const ros::Time& stamp, const ros::Time& arrival);
 
   /// Sends it again with its stamp moved on by the time since its arrival, unless `tf_rate` is kept anyway or
   /// the odometry has been silent for longer than `longest_silence` [s].
@@ -35,7 +34,7 @@ class MapToOdom {
   FrameParameters frames_;
   OutputParameters outputs_;
   tf2_ros::TransformBroadcaster broadcaster_;
-  std::optional<geometry_msgs::Transform> map_to_odom_;
+  std::optional<Pose2> odom_in_map_;
   ros::Time odometry_stamp_;
   ros::Time arrival_;
   ros::Time last_sent_;  ///< stamp of the last broadcast

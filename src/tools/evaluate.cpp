@@ -1,5 +1,7 @@
 // Runs estimators over a recorded drive, a bag or a simulated scenario and says how far off they were.
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <cstdlib>
@@ -200,7 +202,7 @@ void plot(const std::string& file, const std::string& trace) {
 
 std::vector<RunRecord> make_runs(const Batch& batch, const Stream& stream,
                                  const std::vector<std::string>& parameters) {
-  ProgressBar bar(batch.estimators.size() * batch.seeds);
+  ProgressBar bar(batch.estimators.size() * batch.seeds, isatty(STDERR_FILENO) != 0);
   return run_batch(batch, stream, parameters, [&](std::size_t run, double part) { bar.update(run, part); });
 }
 

@@ -71,8 +71,15 @@ TEST(Score, NeesWeighsTheErrorByTheDeclaredCovariance) {
   Epoch far = epoch(1, 6, 0);
   far.position_covariance << 4.0, 0.0, 0.0, 9.0;
   const Score s = score({e, far}, 0.0);
-  EXPECT_DOUBLE_EQ(*s.nees_mean, 0.5 * (2.0 + 9.0));
+  EXPECT_NEAR(*s.nees_mean, 0.5 * (2.0 + 9.0), 1e-5);
   EXPECT_DOUBLE_EQ(*s.in_ellipse, 0.5);
+}
+
+TEST(Score, NeesOfACollapsedCovarianceIsLargeButFinite) {
+  Epoch e = epoch(0, 1, 0);
+  e.position_covariance.setZero();
+  EXPECT_NEAR(*score({e}, 0.0).nees_mean, 1e6, 1.0);
+  EXPECT_DOUBLE_EQ(*score({e}, 0.0).in_ellipse, 0.0);
 }
 
 TEST(ScoreFixes, AreComparedWithTruthAtTheirOwnStamp) {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 
+#include "multipath_localization/estimators/make_estimator.hpp"
 #include "multipath_localization/evaluation/scenario.hpp"
 
 namespace multipath_localization {
@@ -27,6 +27,12 @@ TEST_P(ShippedScenario, LoadsAndRuns) {
   EXPECT_EQ(scenario.steering.wheelbase, scenario.simulator.robot.wheelbase);
   EXPECT_EQ(scenario.steering.max_steering_angle, scenario.simulator.robot.max_steering_angle);
   EXPECT_LE(scenario.steering.cruise_speed, scenario.simulator.robot.max_speed);
+}
+
+TEST_P(ShippedScenario, TellsEstimatorsOnlyWhatTheyRead) {
+  for (const auto& entry : shipped(GetParam()).localization) {
+    EXPECT_NE(make_estimator(entry.first.as<std::string>(), entry.second, 1), nullptr);
+  }
 }
 
 /// Steered by the truth, the robot gets round, through open sky and shadow.

@@ -4,6 +4,7 @@
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/NavSatFix.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
 #include <limits>
@@ -18,6 +19,7 @@ namespace {
 const Geodetic kDatum{48.0, 11.0, 500.0};
 
 struct Recording {
+  bool with_antenna = true;  ///< the static transform to it, at the base
   std::string prefix = "/";  ///< of topics
   bool with_truth = true;
   bool with_shadow = true;
@@ -36,6 +38,7 @@ Message stamped(double stamp) {
 nav_msgs::Odometry odometry_at(double stamp) {
   auto message = stamped<nav_msgs::Odometry>(stamp);
   message.header.frame_id = "odom";
+  message.child_frame_id = "base_link";
   message.pose.pose.orientation.w = 1.0;
   message.twist.twist.linear.x = 1.0;
   return message;
@@ -53,6 +56,7 @@ geometry_msgs::PoseStamped truth_at_time(double stamp, double north, bool with_h
 sensor_msgs::NavSatFix fix_at(double stamp, const Eigen::Vector2d& position) {
   const Geodetic point = LocalFrame(kDatum).to_geodetic(position);
   auto message = stamped<sensor_msgs::NavSatFix>(stamp);
+  message.header.frame_id = "gps";
   message.latitude = point.latitude_deg;
   message.longitude = point.longitude_deg;
   message.altitude = point.altitude;
@@ -61,11 +65,24 @@ sensor_msgs::NavSatFix fix_at(double stamp, const Eigen::Vector2d& position) {
   return message;
 }
 
+tf2_msgs::TFMessage antenna_at(double x, double y) {
+  tf2_msgs::TFMessage message;
+  message.transforms.resize(1);
+  geometry_msgs::TransformStamped& transform = message.transforms.front();
+  transform.header.frame_id = "base_link";
+  transform.child_frame_id = "gps";
+  transform.transform.translation.x = x;
+  transform.transform.translation.y = y;
+  transform.transform.rotation.w = 1.0;
+  return message;
+}
+
 /// Twenty seconds north at 1 m/s from (5, 0), in shadow from the tenth on; every topic at 1 Hz.
 std::string record(const Recording& recording) {
   const std::string file = testing::TempDir() + "bag_drive_under_test.bag";
   rosbag::Bag bag(file, rosbag::bagmode::Write);
   const auto name = [&](const std::string& topic) { return recording.prefix + topic; };
+  if (recording.with_antenna) bag.write("/tf_static", ros::Time(1000.0), antenna_at(0.0, 0.0));
   for (int i = 0; i <= 20; ++i) {
     const double stamp = 1000.0 + i;
     const ros::Time now(stamp);
@@ -173,6 +190,22 @@ TEST(ReadBag, LeavesOutWhatTheNodeRefusesAndSaysSo) {
   EXPECT_EQ(drive.odometry.size(), 21u);
   EXPECT_EQ(drive.notices,
             (std::vector<std::string>{"/gps/fix: not finite, 1 times", "/odom: not finite, 1 times"}));
+}
+
+TEST(ReadBag, AntennaIsWhereTheStaticTransformsHaveIt) {
+  const std::string file = record({});
+  {
+    rosbag::Bag bag(file, rosbag::bagmode::Append);
+    bag.write("/tf_static", ros::Time(1001.0), antenna_at(0.4, -0.1));
+  }
+  const Drive drive = read_bag(file, {}, kDatum);
+  EXPECT_EQ(drive.fixes.front().fix.antenna_in_base, Eigen::Vector2d(0.4, -0.1));
+
+  Recording unknown;
+  unknown.with_antenna = false;
+  const Drive without = read_bag(record(unknown), {}, kDatum);
+  EXPECT_EQ(without.fixes.front().fix.antenna_in_base, Eigen::Vector2d(0.0, 0.0));
+  EXPECT_EQ(without.notices.size(), 1u);
 }
 
 TEST(ReadBag, RefusesWhatIsNoBag) { EXPECT_NE(failure_of("/no/such.bag", {}), ""); }

@@ -186,15 +186,11 @@ TEST(WithMotion, CarriesWhatWasReadAndNothingThatIsNotFinite) {
   EXPECT_EQ(read.twist.covariance[0], 0.0);
 }
 
-TEST(MapToOdom, BringsOdomsPoseToTheEstimate) {
-  const Pose2 in_map{10.0, -3.0, 2.0};
-  const Pose2 in_odom{1.0, 5.0, -2.5};
-  const geometry_msgs::Transform transform = map_to_odom(in_map, in_odom);
-  const Pose2 odom_in_map{transform.translation.x, transform.translation.y,
-                          2.0 * std::atan2(transform.rotation.z, transform.rotation.w)};
-  const Pose2 back = odom_in_map * in_odom;
-  EXPECT_NEAR((back.position() - in_map.position()).norm(), 0.0, 1e-9);
-  EXPECT_NEAR(angle_difference(back.yaw, in_map.yaw), 0.0, 1e-9);
+TEST(ToTransform, IsThePoseOfTheChild) {
+  const geometry_msgs::Transform transform = to_transform(Pose2{10.0, -3.0, 2.0});
+  EXPECT_EQ(transform.translation.x, 10.0);
+  EXPECT_EQ(transform.translation.y, -3.0);
+  EXPECT_NEAR(2.0 * std::atan2(transform.rotation.z, transform.rotation.w), 2.0, 1e-12);
 }
 
 TEST(Frames, LoseALeadingSlash) {

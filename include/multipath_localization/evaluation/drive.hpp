@@ -54,6 +54,9 @@ std::vector<OdometryIncrement> increments(const std::vector<TwistSample>& sample
 /// the truth's span.
 std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, double stamp);
 
+/// Where an antenna truly was, or the base itself where truth has no heading [m].
+Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& antenna_in_base);
+
 /// Reads `odometry.csv` (t, vx, wz), `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2;
 /// optional alt_m, t_arrival) and `truth.csv` (t, lat_deg, lon_deg; optional alt_m, yaw, shadow) of a
 /// directory; other columns are left alone. The map's datum is the first fix: truth decides nothing but the

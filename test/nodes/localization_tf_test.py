@@ -73,5 +73,5 @@ class LocalizationTf(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('test_localization_tf')
+    rospy.init_node('localization_tf_test')
     rostest.rosrun('multipath_localization', 'localization_tf', LocalizationTf)

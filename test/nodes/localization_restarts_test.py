@@ -109,5 +109,5 @@ class LocalizationRestarts(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('test_localization_restarts', disable_rostime=True)
+    rospy.init_node('localization_restarts_test', disable_rostime=True)
     rostest.rosrun('multipath_localization', 'localization_restarts', LocalizationRestarts)

@@ -150,5 +150,5 @@ class LocalizationBadInput(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rospy.init_node('test_localization_bad_input')
+    rospy.init_node('localization_bad_input_test')
     rostest.rosrun('multipath_localization', 'localization_bad_input', LocalizationBadInput)

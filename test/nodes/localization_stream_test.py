@@ -73,7 +73,20 @@ class LocalizationStream(unittest.TestCase):
         pose = self.session.send_odometry(robot.odometry())
         self.assertLess(robot.error_of(pose.pose.pose), 2.0)
 
+    def test_odometry_that_overtook_the_first_fix_is_answered_too(self):
+        robot = Robot(seed=5, start=3.8e9)
+        fix, messages = robot.fix(), []
+        for _ in range(4):
+            messages.append(robot.odometry())
+            self.session.send_odometry(messages[-1], answered=False)
+            robot.step()
+        self.session.send_fix(fix)
+        for message in messages:
+            stamp = message.header.stamp.to_nsec()
+            self.session.wait(lambda: stamp in self.session.poses, 'the pose at %d' % stamp)
+        self.check([])
+
 
 if __name__ == '__main__':
-    rospy.init_node('test_localization_stream')
+    rospy.init_node('localization_stream_test')
     rostest.rosrun('multipath_localization', 'localization_stream', LocalizationStream)

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/random.hpp"
+#include "multipath_localization/estimators/bias_radius.hpp"
+#include "multipath_localization/estimators/estimator.hpp"
+#include "multipath_localization/estimators/fix_check.hpp"
+#include "multipath_localization/estimators/fix_heading.hpp"
+#include "multipath_localization/filters/particle_set.hpp"
+#include "multipath_localization/models/gnss_bias.hpp"
+#include "multipath_localization/models/gnss_position.hpp"
+#include "multipath_localization/models/odometry_motion.hpp"
+
+namespace multipath_localization {
+
+/// Decisions about Eqs. (22)-(26), (33) of [NIS]: what the method adds to a conventional particle filter.
+struct RingParameters {
+  double ring_fraction = 0.05;
+  std::string ring_weight = "deviation";
+  double shadow_weight = 0.5;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// Everything that the particle filters of [NIS] have in common.
+struct FixParticleFilterParameters {
+  int particles = 1000;
+  double ess_threshold = 5.0;
+  std::string propagate_from = "particles";
+  std::string point_estimate = "cluster";
+  double start_sigma = 1.0;
+  double position_sigma_floor = 0.1;
+  SteeringNoiseParameters motion;
+  GnssLikelihoodParameters likelihood;
+  FixHeadingParameters heading;
+  GnssBiasParameters bias;
+  RingParameters ring;
+
+  /// Those that do not concern the ring, the shadow or the bias.
+  void common_fields(ParameterVisitor& field);
+};
+
+/// Particles over x, y, yaw, moved by odometry and weighed by fixes: [NIS] section 3, Eqs. (3)-(35),
+/// (39)-(43), and with neither ring nor shadow Eqs. (46), (47).
+///
+/// Started without a prior, positions lie round the first fix and headings are uniform. Ring sampling waits
+/// until the estimate is aligned: the ring stands round the estimate, which has no heading to give before.
+class FixParticleFilter : public Estimator {
+ public:
+  FixParticleFilter(const FixParticleFilterParameters& parameters, std::uint64_t seed);
+
+  void start(const std::optional<PosePrior>& prior) override;
+  void predict(const OdometryIncrement& u) override;
+  Innovation update(const Measurement& z) override;
+  [[nodiscard]] PoseEstimate estimate() const override;
+  /// At most 2000, evenly chosen.
+  [[nodiscard]] std::vector<Hypothesis> hypotheses() const override;
+
+ private:
+  void start_at(const PosePrior& prior);
+  void start_at(const GnssFix& fix);
+  void begin_tracking();
+  [[nodiscard]] GnssLikelihood likelihood_of(const GnssFix& fix, double radius) const;
+  [[nodiscard]] Innovation compare(const GnssFix& fix) const;
+  void sample_ring(double radius, const GnssLikelihood& likelihood);
+  void weigh(const GnssFix& fix, const GnssLikelihood& likelihood);
+  void take_stock();
+  void resample();
+  [[nodiscard]] RandomStream random(std::size_t particle) const;
+
+  FixParticleFilterParameters parameters_;
+  std::uint64_t seed_;
+  std::uint32_t step_ = 0;
+  FixCheck fix_check_;
+  BiasRadius bias_radius_;
+  FixHeading heading_;
+  double now_ = 0.0;
+  double last_fix_ = 0.0;
+
+  ParticleSet particles_;
+  std::vector<double> weights_;       ///< of the particles, sum 1
+  std::vector<double> cluster_;       ///< the same within the dominant cluster, 0 outside
+  std::vector<double> shadow_share_;  ///< of each particle's likelihood
+  double cluster_reach_ = 0.0;        ///< [m]
+  bool particles_are_fresh_ = false;  ///< from an update, not yet moved
+  Pose2 predicted_;                   ///< f(x_est, u) since the last update
+  Eigen::Vector2d bias_ = Eigen::Vector2d::Zero();
+  double effective_sample_size_ = 1.0;
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,227 @@
+#include <XmlRpcClient.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/network.h>
+#include <ros/ros.h>
+#include <sensor_msgs/NavSatFix.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "multipath_localization/core/geodesy.hpp"
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/random.hpp"
+#include "nodes/conversions.hpp"
+#include "nodes/parameter_server.hpp"
+
+/// Measures how long after an odometry message the pose arrives that localization_node answers it with, and
+/// what share of a core the node takes. Times run from before `publish` in this program to the callback in
+/// this program, by the steady clock: serialisation, TCP both ways and all queues are included, nothing is
+/// subtracted.
+namespace multipath_localization {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct LatencyParameters {
+  double duration = 30.0;
+  double odometry_rate = 50.0;
+  int odometry_per_fix = 10;
+  double warm_up = 5.0;
+  std::string node = "/localization";
+
+  void fields(ParameterVisitor& field) {
+    field("duration", duration, {1.0, 3600.0}, "s", "of the measurement");
+    field("odometry_rate", odometry_rate, {1.0, 1000.0}, "Hz", "of odometry");
+    field("odometry_per_fix", odometry_per_fix, {1, 1000}, "1", "odometry messages to one fix");
+    field("warm_up", warm_up, {0.0, 60.0}, "s", "before the measurement");
+    field("node", node, {}, "the localization_node to measure");
+  }
+};
+
+/// Process id of a node, by its own answer. Throws std::runtime_error when there is none.
+int process_id(const std::string& node) {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue uri;
+  request[0] = ros::this_node::getName();
+  request[1] = node;
+  std::string host;
+  std::uint32_t port = 0;
+  if (ros::master::execute("lookupNode", request, response, uri, false) &&
+      ros::network::splitURI(static_cast<std::string>(uri), host, port)) {
+    XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+    if (client.execute("getPid", request[0], response)) return static_cast<int>(response[2]);
+  }
+  throw std::runtime_error("no node " + node);
+}
+
+/// User and system time a process has taken [s]: fields 14 and 15 of /proc/PID/stat.
+double cpu_time(int pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  std::string text;
+  std::getline(file, text);
+  std::istringstream fields(text.substr(text.rfind(')') + 1));
+  std::string skipped;
+  for (int field = 3; field < 14; ++field) fields >> skipped;
+  double user = 0.0;
+  double system = 0.0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+/// A robot on a circle, under open sky.
+class Stream {
+ public:
+  nav_msgs::Odometry odometry(const ros::Time& stamp, double interval) {
+    base_ = base_ * displacement({0.0, interval, kSpeed, kYawRate});
+    nav_msgs::Odometry message;
+    message.header.stamp = stamp;
+    message.header.frame_id = "odom";
+    message.child_frame_id = "base_link";
+    message.pose.pose = to_message(base_);
+    message.twist.twist.linear.x = kSpeed;
+    message.twist.twist.angular.z = kYawRate;
+    return message;
+  }
+
+  [[nodiscard]] sensor_msgs::NavSatFix fix(std::uint32_t step, const ros::Time& stamp) const {
+    RandomStream random(1, step, 0);
+    const Eigen::Vector2d noise(kNoise * random.normal(), kNoise * random.normal());
+    const Geodetic place = map_.to_geodetic(base_.position() + noise);
+    sensor_msgs::NavSatFix message;
+    message.header.stamp = stamp;
+    message.header.frame_id = "base_link";
+    message.latitude = place.latitude_deg;
+    message.longitude = place.longitude_deg;
+    message.altitude = place.altitude;
+    message.position_covariance = {kNoise * kNoise, 0, 0, 0, kNoise * kNoise, 0, 0, 0, 1.0};
+    message.position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_DIAGONAL_KNOWN;
+    return message;
+  }
+
+ private:
+  static constexpr double kSpeed = 2.0;
+  static constexpr double kYawRate = 0.1;
+  static constexpr double kNoise = 0.3;
+
+  LocalFrame map_{Geodetic{52.5, 13.4, 40.0}};
+  Pose2 base_;
+};
+
+/// When messages left and how long their answers took.
+class Stopwatch {
+ public:
+  void left(const ros::Time& stamp) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    left_[stamp] = Clock::now();
+  }
+
+  void answered(const ros::Time& stamp) {
+    const auto now = Clock::now();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = left_.find(stamp);
+    if (found == left_.end()) return;
+    latencies_.push_back(std::chrono::duration<double>(now - found->second).count());
+    left_.erase(found);
+  }
+
+  void restart() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    left_.clear();
+    latencies_.clear();
+  }
+
+  /// Sorted [s].
+  std::vector<double> latencies() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::sort(latencies_.begin(), latencies_.end());
+    return latencies_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<ros::Time, Clock::time_point> left_;
+  std::vector<double> latencies_;
+};
+
+double quantile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return std::nan("");
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+/// Sends the stream in real time and gives the share of a core that the node took meanwhile.
+double drive(const LatencyParameters& parameters, const ros::Publisher& odometry, const ros::Publisher& fixes,
+             Stopwatch& stopwatch) {
+  Stream stream;
+  const int pid = process_id(parameters.node);
+  const double interval = 1.0 / parameters.odometry_rate;
+  const auto warm_up = static_cast<std::uint32_t>(parameters.warm_up / interval);
+  const auto steps = warm_up + static_cast<std::uint32_t>(parameters.duration / interval);
+  const ros::Time start = ros::Time::now();
+  const auto begin = Clock::now();
+  double cpu_before = 0.0;
+  for (std::uint32_t step = 0; step < steps && ros::ok(); ++step) {
+    std::this_thread::sleep_until(begin + std::chrono::duration<double>(step * interval));
+    if (step == warm_up) {
+      stopwatch.restart();
+      cpu_before = cpu_time(pid);
+    }
+    const ros::Time stamp = start + ros::Duration(step * interval);
+    const nav_msgs::Odometry message = stream.odometry(stamp, interval);
+    if (step % static_cast<std::uint32_t>(parameters.odometry_per_fix) == 0)
+      fixes.publish(stream.fix(step, stamp));
+    stopwatch.left(stamp);
+    odometry.publish(message);
+  }
+  ros::WallDuration(0.2).sleep();
+  return (cpu_time(pid) - cpu_before) / parameters.duration;
+}
+
+int measure(const LatencyParameters& parameters) {
+  ros::NodeHandle node;
+  Stopwatch stopwatch;
+  const ros::Publisher odometry = node.advertise<nav_msgs::Odometry>("odom", 100);
+  const ros::Publisher fixes = node.advertise<sensor_msgs::NavSatFix>("gps/fix", 100);
+  const boost::function<void(const nav_msgs::Odometry&)> on_pose = [&](const nav_msgs::Odometry& message) {
+    stopwatch.answered(message.header.stamp);
+  };
+  const ros::Subscriber poses = node.subscribe<nav_msgs::Odometry>(
+      "odometry/filtered_map", 100, on_pose, nullptr, ros::TransportHints().tcpNoDelay());
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  while (ros::ok() && (odometry.getNumSubscribers() == 0 || fixes.getNumSubscribers() == 0)) {
+    ros::WallDuration(0.1).sleep();
+  }
+  const double cpu = drive(parameters, odometry, fixes, stopwatch);
+  const std::vector<double> latencies = stopwatch.latencies();
+  std::printf(
+      "%zu of %.0f answered; latency median %.3f ms, 99 %% %.3f ms, max %.3f ms; CPU %.2f %% of a core\n",
+      latencies.size(), parameters.duration * parameters.odometry_rate, 1e3 * quantile(latencies, 0.5),
+      1e3 * quantile(latencies, 0.99), 1e3 * quantile(latencies, 1.0), 100.0 * cpu);
+  return latencies.empty() ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace multipath_localization
+
+int main(int argc, char** argv) {
+  namespace ml = multipath_localization;
+  ros::init(argc, argv, "latency");
+  ros::NodeHandle keep_alive;
+  try {
+    ml::LatencyParameters parameters;
+    ml::load(ml::read_parameters(ros::NodeHandle("~")), parameters);
+    return ml::measure(parameters);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "latency: %s\n", error.what());
+    return 1;
+  }
+}
