@@ -47,8 +47,9 @@ template std::array<std::uint32_t, 4> threefry4x32<20>(const std::array<std::uin
 
 std::uint32_t RandomStream::word() {
   if (used_ == 4) {
-    words_ = threefry4x32<12>({particle_, step_, block_++, 0},
-                          {static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32), 0, 0});
+    words_ =
+        threefry4x32<12>({particle_, step_, block_++, 0},
+                         {static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32), 0, 0});
     used_ = 0;
   }
   return words_[static_cast<std::size_t>(used_++)];

@@ -16,6 +16,7 @@ constexpr std::uint32_t kResampling = 0xFFFFFFFFU;  ///< random stream beside th
 constexpr double kLeastClusterReach = 2.0;          ///< [m]
 constexpr double kClusterSigmas = 3.0;
 constexpr double kClusterTurn = 0.6;       ///< [rad]
+constexpr double kYawSigmaFloor = 0.01;    ///< added to the published heading [rad]
 constexpr double kAlignedYawSigma = 0.3;   ///< [rad]
 constexpr double kAlignedDominance = 0.5;  ///< probability mass
 
@@ -215,7 +216,9 @@ PoseEstimate FixParticleFilter::estimate() const {
   result.pose = within.mean;
   result.covariance = within.covariance;
   result.dominance = std::min(1.0, sum(cluster_));
-  result.position_covariance_overall.setZero();
+  const double floor = square(parameters_.position_sigma_floor);
+  result.covariance.diagonal() += Eigen::Vector3d(floor, floor, square(kYawSigmaFloor));
+  result.position_covariance_overall = floor * Eigen::Matrix2d::Identity();
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     const Eigen::Vector2d d(particles_.x[i] - result.pose.x, particles_.y[i] - result.pose.y);
     result.position_covariance_overall += weights_[i] * d * d.transpose();

@@ -19,10 +19,13 @@ void FixParticleFilterParameters::common_fields(ParameterVisitor& field) {
         "from "
         "the estimate, Algorithm 1");
   field("point_estimate", point_estimate, {"cluster", "mean"},
-        "the estimate: cluster = mean of the dominant cluster, never between two; mean = of all particles, as Eq. "
+        "the estimate: cluster = mean of the dominant cluster, never between two; mean = of all particles, "
+        "as Eq. "
         "(35) prints");
   field("start_sigma", start_sigma, {0.0, 1e3}, "m",
         "spread of the particles round the first fix, beside sigma_b");
+  field("position_sigma_floor", position_sigma_floor, {0.001, 100.0}, "m",
+        "added to the published position: a collapsed set of particles is not certain");
   motion.fields(field);
   likelihood.fields(field);
   heading.fields(field);

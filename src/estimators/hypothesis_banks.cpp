@@ -88,8 +88,8 @@ ClassCounts class_counts(const PerClass& weights, std::size_t count, double floo
   return counts;
 }
 
-void mix_classes(std::vector<BeliefParticle>& particles, const ClassRates& rates,
-                 const ReceiverClasses& classes, double dt, RandomStream& random) {
+void mix_classes(std::vector<BeliefParticle>& particles, const ReceiverClasses& classes, double dt,
+                 RandomStream& random) {
   const PerClass before = class_weights(particles);
   std::array<PerClass, kReceiverClassCount> flow{};
   PerClass after = before;
@@ -97,7 +97,7 @@ void mix_classes(std::vector<BeliefParticle>& particles, const ClassRates& rates
   for (std::size_t from = 0; from < kReceiverClassCount; ++from) {
     for (std::size_t to = 0; to < kReceiverClassCount; ++to) {
       if (from == to) continue;
-      flow[from][to] = before[from] * (1.0 - std::exp(-rates[from][to] * dt));
+      flow[from][to] = before[from] * (1.0 - std::exp(-classes[to].entry_rate * dt));
       after[from] -= flow[from][to];
       after[to] += flow[from][to];
       received[to] += flow[from][to];

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/models/odometry_motion.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -53,7 +55,6 @@ std::pair<std::size_t, double> draw(const std::array<double, kFixCandidates>& lo
 MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterParameters& parameters,
                                                  std::uint64_t seed)
     : parameters_(parameters),
-      rates_(parameters.class_rates.rates()),
       seed_(seed),
       odometry_(parameters.odometry),
       alignment_(parameters.alignment_length, parameters.classes.street.quiet_sigma,
@@ -144,7 +145,7 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   if (particles_.empty()) return;
   odometry_.add(u);
   distance_since_fix_ += std::abs(u.speed) * u.duration;
-  if (std::abs(u.speed) >= parameters_.odometry.still_speed) alignment_.add(u);
+  if (!standing(u)) alignment_.add(u);
   if (odometry_.duration() > kMaxFlush) flush_odometry();
 }
 
@@ -213,7 +214,7 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
     update_confirmation();
   }
   RandomStream mixing(seed_, step_, kMixing);
-  mix_classes(particles_, rates_, parameters_.classes, class_time, mixing);
+  mix_classes(particles_, parameters_.classes, class_time, mixing);
   const std::vector<double> log_likelihood = sample_modes(fix, duration);
   reweigh(particles_, log_likelihood, std::min(1.0, class_time / parameters_.class_evidence_time));
   refresh_cluster();

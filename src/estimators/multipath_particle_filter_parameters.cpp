@@ -2,22 +2,6 @@
 
 namespace multipath_localization {
 
-void ClassRateParameters::fields(ParameterVisitor& field) {
-  const Range rate{0.0, 1.0};
-  field("street_to_canyon", street_to_canyon, rate, "1/s", "rate of driving from a street into a canyon");
-  field("canyon_to_street", canyon_to_street, rate, "1/s", "rate of driving from a canyon into a street");
-  field("street_to_noisy", street_to_noisy, rate, "1/s", "rate of a good receiver turning plain");
-  field("noisy_to_street", noisy_to_street, rate, "1/s", "rate of a plain receiver turning good");
-  field("canyon_to_noisy", canyon_to_noisy, rate, "1/s", "rate of leaving a canyon with a plain receiver");
-  field("noisy_to_canyon", noisy_to_canyon, rate, "1/s", "rate of entering a canyon with a plain receiver");
-}
-
-ClassRates ClassRateParameters::rates() const {
-  return {{{0.0, street_to_canyon, street_to_noisy},
-           {canyon_to_street, 0.0, canyon_to_noisy},
-           {noisy_to_street, noisy_to_canyon, 0.0}}};
-}
-
 void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
   field("particles", particles, {20, 100000}, "1", "hypotheses, each with a Kalman filter of its own");
   field("ess_fraction", ess_fraction, {0.0, 1.0}, "1",
@@ -37,12 +21,12 @@ void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
         "variance of that heading at best: a bias that turns tilts it");
   field("confirm_probability", confirm_probability, {0.5, 1.0}, "1",
         "probability of open sky that counts towards confirming the pose");
-  field("confirm_distance", confirm_distance, {0.0, 1000.0}, "m", "driving under open sky that confirms the pose");
+  field("confirm_distance", confirm_distance, {0.0, 1000.0}, "m",
+        "driving under open sky that confirms the pose");
   field("position_sigma_floor", position_sigma_floor, {0.0, 100.0}, "m",
         "added to the published position: no covariance is believed below it");
   field.group("odometry", odometry, "how far the wheel odometry can be trusted");
   field.group("classes", classes, "kinds of place and receiver");
-  field.group("class_rates", class_rates, "how often the kind of place changes");
 }
 
 }  // namespace multipath_localization

@@ -8,7 +8,7 @@ namespace multipath_localization {
 namespace {
 
 void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& make,
-              const ProgressReport& progress, Run& run) {
+              const ProgressReport& progress, RunRecord& run) {
   const double from = drive.start() + batch.score_from;
   run.epochs = run_drive(drive, make, batch.settings, progress);
   run.score = score(run.epochs, from);
@@ -16,7 +16,7 @@ void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& ma
 }
 
 void run_over(const Scenario& scenario, const Batch& batch, const EstimatorFactory& make,
-              const ProgressReport& progress, Run& run) {
+              const ProgressReport& progress, RunRecord& run) {
   ClosedLoopRun result = run_scenario(scenario, run.seed, make, batch.settings, progress);
   run.score = score(result.epochs, batch.score_from);
   run.fixes = score_fixes(result.drive, batch.score_from);
@@ -26,7 +26,7 @@ void run_over(const Scenario& scenario, const Batch& batch, const EstimatorFacto
 }
 
 void make_run(const Stream& stream, const Batch& batch, const std::string& parameters,
-              const ProgressReport& progress, Run& run) {
+              const ProgressReport& progress, RunRecord& run) {
   const double started = thread_cpu_time();
   try {
     const auto make = [&] { return make_estimator(run.estimator, YAML::Load(parameters), run.seed); };
@@ -57,10 +57,10 @@ std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
   return all;
 }
 
-std::vector<Run> run_batch(const Batch& batch, const Stream& stream,
-                           const std::vector<std::string>& parameters,
-                           const std::function<void(std::size_t, double)>& progress) {
-  std::vector<Run> runs;
+std::vector<RunRecord> run_batch(const Batch& batch, const Stream& stream,
+                                 const std::vector<std::string>& parameters,
+                                 const std::function<void(std::size_t, double)>& progress) {
+  std::vector<RunRecord> runs;
   for (const std::string& name : batch.estimators) {
     for (std::uint64_t seed = 1; seed <= batch.seeds; ++seed) {
       runs.emplace_back();

@@ -7,6 +7,8 @@ namespace multipath_localization {
 
 namespace {
 
+constexpr double kFirstInterval = 1e-3;
+
 double stamp_in_order(const CsvTable& table, std::size_t row) {
   const double stamp = table.number(row, "t");
   if (row > 0 && stamp <= table.number(row - 1, "t")) throw table.error(row, "t does not increase");
@@ -60,10 +62,11 @@ double Drive::start() const {
 
 std::vector<OdometryIncrement> increments(const std::vector<TwistSample>& samples) {
   std::vector<OdometryIncrement> all;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const TwistSample& a = samples[i - 1];
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const TwistSample& a = samples[i == 0 ? 0 : i - 1];
     const TwistSample& b = samples[i];
-    all.push_back({b.stamp, b.stamp - a.stamp, 0.5 * (a.speed + b.speed), 0.5 * (a.yaw_rate + b.yaw_rate)});
+    const double duration = i == 0 ? kFirstInterval : b.stamp - a.stamp;
+    all.push_back({b.stamp, duration, 0.5 * (a.speed + b.speed), 0.5 * (a.yaw_rate + b.yaw_rate)});
   }
   return all;
 }
@@ -83,6 +86,10 @@ std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, doubl
   sample.stamp = stamp;
   sample.has_yaw = sample.has_yaw && after->has_yaw;
   return sample;
+}
+
+Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& antenna_in_base) {
+  return truth.has_yaw ? truth.base_in_map * antenna_in_base : truth.base_in_map.position();
 }
 
 Drive read_drive(const std::string& directory) {

@@ -11,6 +11,9 @@ namespace {
 /// 95 % quantile of the chi-square distribution with 2 degrees of freedom, -2 ln 0.05.
 constexpr double kChiSquare95 = 5.991464547107979;
 
+/// One square millimetre: keeps the NEES of a particle set that has collapsed to a point finite.
+constexpr double kResolution = 1e-6;
+
 struct PositionError {
   double distance = 0.0;  ///< [m]
   std::optional<bool> shadow;
@@ -84,7 +87,8 @@ Score score(const std::vector<Epoch>& epochs, double from) {
     }
     const Eigen::Vector2d error = epoch.estimate.position() - epoch.truth.base_in_map.position();
     errors.push_back({error.norm(), epoch.truth.shadow});
-    nees.push_back(error.dot(epoch.position_covariance.ldlt().solve(error)));
+    const Eigen::Matrix2d P = epoch.position_covariance + kResolution * Eigen::Matrix2d::Identity();
+    nees.push_back(error.dot(P.ldlt().solve(error)));
     inside += nees.back() <= kChiSquare95 ? 1.0 : 0.0;
     if (epoch.truth.has_yaw) heading.add(angle_difference(epoch.estimate.yaw, epoch.truth.base_in_map.yaw));
   }
@@ -101,8 +105,7 @@ Score score_fixes(const Drive& drive, double from) {
     if (recorded.fix.stamp < from) continue;
     const std::optional<TruthSample> truth = truth_at(drive.truth, recorded.fix.stamp);
     if (!truth) continue;
-    const Eigen::Vector2d antenna =
-        truth->has_yaw ? truth->base_in_map * recorded.fix.antenna_in_base : truth->base_in_map.position();
+    const Eigen::Vector2d antenna = antenna_in_map(*truth, recorded.fix.antenna_in_base);
     errors.push_back({(recorded.fix.position - antenna).norm(), truth->shadow});
   }
   Score score;

@@ -1,7 +1,5 @@
 #include "multipath_localization/evaluation/progress.hpp"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <numeric>
 #include <string>
@@ -14,7 +12,8 @@ constexpr int kWidth = 40;
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::size_t runs) : on_terminal_(isatty(STDERR_FILENO) != 0), fractions_(runs, 0.0) {
+ProgressBar::ProgressBar(std::size_t runs, bool on_terminal)
+    : on_terminal_(on_terminal), fractions_(runs, 0.0) {
   if (on_terminal_) draw(0);
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <numeric>
 #include <sstream>
+#include <string_view>
 
 #include "multipath_localization/core/angle.hpp"
 
@@ -14,18 +14,25 @@ namespace multipath_localization {
 namespace {
 
 std::string number(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
+  std::ostringstream out;
+  out.precision(digits);
+  out << (std::abs(value) < 1e6 ? std::fixed : std::scientific) << value;
+  return out.str();
 }
 
 std::string quoted(const std::string& text) {
+  constexpr std::string_view kHex = "0123456789abcdef";
   std::string out = "\"";
   for (const char c : text) {
-    char escaped[8] = {c, '\0'};
-    if (c == '"' || c == '\\') std::snprintf(escaped, sizeof(escaped), "\\%c", c);
-    if (static_cast<unsigned char>(c) < 0x20) std::snprintf(escaped, sizeof(escaped), "\\u%04x", c);
-    out += escaped;
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += {'\\', c};
+    } else if (code < 0x20) {
+      out += "\\u00";
+      out += {kHex[code / 16], kHex[code % 16]};
+    } else {
+      out += c;
+    }
   }
   return out + "\"";
 }
@@ -37,21 +44,31 @@ std::string json(std::optional<double> value) {
 /// A line of the table: the runs behind it and which score of theirs it is about.
 struct Line {
   std::string title;
-  std::vector<const Run*> runs;
-  Score Run::*score;
+  std::vector<const RunRecord*> runs;
+  Score RunRecord::*score;
 };
 
-using Figure = std::function<std::optional<double>(const Run&, const Score&)>;
+using Figure = std::function<std::optional<double>(const RunRecord&, const Score&)>;
+
+/// What a line says of its runs.
+enum class Over { kMean, kLeast, kMost };
 
 struct Column {
   std::string title;
   int digits;
   Figure figure;
-  bool of_fixes;  ///< applies to the fixes too
+  Over over = Over::kMean;
+  bool of_fixes = true;  ///< applies to the fixes too
 };
 
+double combined(const std::vector<double>& values, Over over) {
+  if (over == Over::kLeast) return *std::min_element(values.begin(), values.end());
+  if (over == Over::kMost) return *std::max_element(values.begin(), values.end());
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 Column of(const std::string& title, std::optional<double> Score::*member) {
-  return {title, 2, [member](const Run&, const Score& score) { return score.*member; }, true};
+  return {title, 2, [member](const RunRecord&, const Score& score) { return score.*member; }};
 }
 
 std::optional<double> scaled(std::optional<double> value, double factor) {
@@ -65,8 +82,8 @@ std::optional<double> count(std::size_t value) {
 
 const std::vector<Column>& columns() {
   static const std::vector<Column> all = {
-      {"epochs", 0, [](const Run&, const Score& s) { return count(s.epochs); }, true},
-      {"without", 0, [](const Run&, const Score& s) { return count(s.unscored); }, true},
+      {"epochs", 0, [](const RunRecord&, const Score& s) { return count(s.epochs); }},
+      {"without", 0, [](const RunRecord&, const Score& s) { return count(s.unscored); }},
       of("mean m", &Score::mean),
       of("rmse", &Score::rmse),
       of("median", &Score::median),
@@ -74,31 +91,33 @@ const std::vector<Column>& columns() {
       of("max", &Score::max),
       of("shadow", &Score::rmse_shadow),
       of("open", &Score::rmse_open),
-      {"yaw deg", 2, [](const Run&, const Score& s) { return scaled(s.heading_rmse, 180.0 / kPi); }, true},
+      {"yaw deg", 2, [](const RunRecord&, const Score& s) { return scaled(s.heading_rmse, 180.0 / kPi); }},
       of("NEES", &Score::nees_mean),
-      {"in 95 %", 0, [](const Run&, const Score& s) { return scaled(s.in_ellipse, 100.0); }, true},
-      {"waypoints", 1, [](const Run& run, const Score&) { return count(run.course.waypoints_passed); },
+      {"in 95 %", 0, [](const RunRecord&, const Score& s) { return scaled(s.in_ellipse, 100.0); }},
+      {"waypoints >=", 0,
+       [](const RunRecord& run, const Score&) { return count(run.course.waypoints_passed); }, Over::kLeast,
        false},
-      {"miss m", 2, [](const Run& run, const Score&) { return run.course.worst_miss; }, false},
-      {"cpu s", 2, [](const Run& run, const Score&) { return std::optional(run.cpu); }, false},
+      {"missed by <=", 2, [](const RunRecord& run, const Score&) { return run.course.worst_miss; },
+       Over::kMost, false},
+      {"cpu s", 2, [](const RunRecord& run, const Score&) { return std::optional(run.cpu); }, Over::kMean,
+       false},
   };
   return all;
 }
 
-std::string mean_cell(const Line& line, const Column& column) {
-  if (line.score == &Run::fixes && !column.of_fixes) return "-";
+std::string cell_of(const Line& line, const Column& column) {
+  if (line.score == &RunRecord::fixes && !column.of_fixes) return "-";
   std::vector<double> values;
-  for (const Run* run : line.runs) {
+  for (const RunRecord* run : line.runs) {
     if (const std::optional<double> value = column.figure(*run, run->*line.score)) values.push_back(*value);
   }
   if (values.empty()) return "-";
-  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-  return number(sum / static_cast<double>(values.size()), column.digits);
+  return number(combined(values, column.over), column.digits);
 }
 
 std::string worst_cell(const Line& line) {
-  const Run* worst = nullptr;
-  for (const Run* run : line.runs) {
+  const RunRecord* worst = nullptr;
+  for (const RunRecord* run : line.runs) {
     const std::optional<double> rmse = (run->*line.score).rmse;
     if (rmse && (worst == nullptr || *rmse > *(worst->*line.score).rmse)) worst = run;
   }
@@ -106,14 +125,14 @@ std::string worst_cell(const Line& line) {
   return number(*(worst->*line.score).rmse, 2) + " (" + std::to_string(worst->seed) + ")";
 }
 
-std::vector<Line> lines(const std::vector<Run>& runs) {
-  std::vector<Line> all = {{"(fixes as they are)", {}, &Run::fixes}};
-  for (const Run& run : runs) {
+std::vector<Line> lines(const std::vector<RunRecord>& runs) {
+  std::vector<Line> all = {{"(fixes as they are)", {}, &RunRecord::fixes}};
+  for (const RunRecord& run : runs) {
     if (!run.failure.empty()) continue;
     const auto known =
         std::find_if(all.begin() + 1, all.end(), [&](const Line& l) { return l.title == run.estimator; });
     if (known == all.end()) {
-      all.push_back({run.estimator, {&run}, &Run::score});
+      all.push_back({run.estimator, {&run}, &RunRecord::score});
     } else {
       known->runs.push_back(&run);
     }
@@ -140,11 +159,11 @@ std::string side_by_side(const std::vector<TextColumn>& text) {
 
 }  // namespace
 
-std::string to_json(const std::vector<Run>& runs) {
+std::string to_json(const std::vector<RunRecord>& runs) {
   std::ostringstream out;
   out << "[";
   const char* separator = "\n";
-  for (const Run& run : runs) {
+  for (const RunRecord& run : runs) {
     if (!run.failure.empty()) continue;
     const Score& s = run.score;
     out << separator << "  {\"source\": " << quoted(run.source)
@@ -161,7 +180,7 @@ std::string to_json(const std::vector<Run>& runs) {
   return out.str();
 }
 
-std::string to_table(const std::vector<Run>& runs) {
+std::string to_table(const std::vector<RunRecord>& runs) {
   const std::vector<Line> rows = lines(runs);
   std::vector<TextColumn> text = {{"estimator"}, {"runs"}};
   for (const Line& line : rows) {
@@ -170,7 +189,7 @@ std::string to_table(const std::vector<Run>& runs) {
   }
   for (const Column& column : columns()) {
     TextColumn cells = {column.title};
-    for (const Line& line : rows) cells.push_back(mean_cell(line, column));
+    for (const Line& line : rows) cells.push_back(cell_of(line, column));
     if (std::any_of(cells.begin() + 1, cells.end(), [](const std::string& cell) { return cell != "-"; })) {
       text.push_back(cells);
     }

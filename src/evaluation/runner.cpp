@@ -1,5 +1,6 @@
 #include "multipath_localization/evaluation/runner.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,15 +19,13 @@ class Replay {
   /// Everything that had arrived by `stamp`.
   void advance_to(double stamp) {
     while (true) {
-      const double odometry =
-          next_odometry_ < drive_.odometry.size() ? drive_.odometry[next_odometry_].stamp : kNever;
-      const double fix = next_fix_ < drive_.fixes.size() ? drive_.fixes[next_fix_].arrival : kNever;
-      if (odometry <= fix && odometry <= stamp) {
+      const double odometry = next_odometry_stamp();
+      const double fix = next_fix_arrival();
+      if (std::min(odometry, fix) > stamp) break;
+      if (odometry <= fix) {
         localizer_.add(drive_.odometry[next_odometry_++]);
-      } else if (fix <= stamp) {
-        localizer_.add(Measurement(drive_.fixes[next_fix_++].fix));
       } else {
-        break;
+        localizer_.add(Measurement(drive_.fixes[next_fix_++].fix));
       }
     }
     localizer_.take_reports();
@@ -39,17 +38,44 @@ class Replay {
   }
 
  private:
+  [[nodiscard]] double next_odometry_stamp() const {
+    if (next_odometry_ == drive_.odometry.size()) return kNever;
+    return drive_.odometry[next_odometry_].stamp;
+  }
+
+  [[nodiscard]] double next_fix_arrival() const {
+    if (next_fix_ == drive_.fixes.size()) return kNever;
+    return drive_.fixes[next_fix_].arrival;
+  }
+
   const Drive& drive_;
   Localizer& localizer_;
   std::size_t next_odometry_ = 0;
   std::size_t next_fix_ = 0;
 };
 
+/// The direction in which truth goes on from a sample: to the first one a metre away, within two seconds and
+/// while the odometry drives forward.
+std::optional<double> direction_of_travel(const Drive& drive, const TruthSample& from) {
+  if (drive.odometry.front().speed <= 0.0) return std::nullopt;
+  for (const TruthSample& to : drive.truth) {
+    const Eigen::Vector2d way = to.base_in_map.position() - from.base_in_map.position();
+    if (to.stamp > from.stamp + 2.0) break;
+    if (to.stamp > from.stamp && way.norm() >= 1.0) return std::atan2(way.y(), way.x());
+  }
+  return std::nullopt;
+}
+
 std::optional<PosePrior> prior_of(const Drive& drive) {
-  const double stamp = drive.odometry.front().stamp - drive.odometry.front().duration;
-  const std::optional<TruthSample> truth = truth_at(drive.truth, stamp);
-  if (!truth || !truth->has_yaw)
-    throw RunError("the start cannot be known: no true heading when the odometry starts");
+  const double stamp = std::max(drive.odometry.front().stamp - drive.odometry.front().duration,
+                                drive.truth.empty() ? 0.0 : drive.truth.front().stamp);
+  std::optional<TruthSample> truth = truth_at(drive.truth, stamp);
+  if (!truth) throw RunError("the start cannot be known: no truth there");
+  if (!truth->has_yaw) {
+    const std::optional<double> yaw = direction_of_travel(drive, *truth);
+    if (!yaw) throw RunError("the start cannot be known: truth has no heading and does not set out at once");
+    truth->base_in_map.yaw = *yaw;
+  }
   return known_start(stamp, truth->base_in_map);
 }
 

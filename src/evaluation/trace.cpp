@@ -39,12 +39,12 @@ void write_drive(std::ostream& out, const Drive& drive, double start) {
   out << "}";
 }
 
-void write_run(std::ostream& out, const Run& run, double start) {
+void write_run(std::ostream& out, const RunRecord& run, double start) {
   std::vector<Epoch> valid;
   for (const Epoch& epoch : run.epochs) {
     if (epoch.valid) valid.push_back(epoch);
   }
-  out << "{\"estimator\": \"" << run.estimator << "\", \"rmse\": ";
+  out << R"({"estimator": ")" << run.estimator << R"(", "rmse": )";
   if (run.score.rmse) {
     out << *run.score.rmse << ", ";
   } else {
@@ -65,9 +65,9 @@ void write_run(std::ostream& out, const Run& run, double start) {
 
 }  // namespace
 
-std::string to_trace(const std::string& title, const Stream& stream, const std::vector<Run>& runs) {
-  std::vector<const Run*> drawn;
-  for (const Run& run : runs) {
+std::string to_trace(const std::string& title, const Stream& stream, const std::vector<RunRecord>& runs) {
+  std::vector<const RunRecord*> drawn;
+  for (const RunRecord& run : runs) {
     if (run.seed == 1 && run.failure.empty()) drawn.push_back(&run);
   }
   const auto* recorded = std::get_if<Drive>(&stream);
@@ -76,10 +76,10 @@ std::string to_trace(const std::string& title, const Stream& stream, const std::
 
   std::ostringstream out;
   out.precision(9);
-  out << "{\"title\": \"" << title << "\", ";
+  out << R"({"title": ")" << title << "\", ";
   write_drive(out, *drive, drive->start());
   out << ", \"runs\": [";
-  for (const Run* run : drawn) {
+  for (const RunRecord* run : drawn) {
     if (run != drawn.front()) out << ", ";
     write_run(out, *run, drive->start());
   }

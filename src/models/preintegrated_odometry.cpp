@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "multipath_localization/models/odometry_motion.hpp"
+
 namespace multipath_localization {
 
 void OdometryNoise::fields(ParameterVisitor& field) {
@@ -14,7 +16,6 @@ void OdometryNoise::fields(ParameterVisitor& field) {
   field("scale_walk", scale_walk, {0.0, 0.1}, "1/sqrt(s)", "random walk of the speed scale while moving");
   field("gyro_bias_walk", gyro_bias_walk, {0.0, 0.1}, "rad/s/sqrt(s)",
         "random walk of the yaw rate bias while moving");
-  field("still_speed", still_speed, {0.0, 1.0}, "m/s", "below this measured speed the robot stands still");
 }
 
 void PreintegratedOdometry::restart(double scale, double gyro_bias) {
@@ -26,7 +27,7 @@ void PreintegratedOdometry::restart(double scale, double gyro_bias) {
 void PreintegratedOdometry::add(const OdometryIncrement& increment) {
   const double dt = increment.duration;
   duration_ += dt;
-  if (std::abs(increment.speed) < noise_.still_speed) return;
+  if (standing(increment)) return;
 
   const double distance = increment.speed / (1.0 + scale_) * dt;
   const double turn = (increment.yaw_rate - gyro_bias_) * dt;

@@ -4,6 +4,8 @@ namespace multipath_localization {
 
 void ReceiverClass::fields(ParameterVisitor& field) {
   field("prior", prior, {0.0, 1.0}, "1", "probability of this class at start");
+  field("entry_rate", entry_rate, {0.0, 1.0}, "1/s",
+        "rate of changing into this class from another, while moving");
   field("always_shadow", always_shadow, "the bias is always that of a shadow and the noise always noisy");
   field("quiet_sigma", quiet_sigma, {0.001, 100.0}, "m", "white noise of a quiet fix");
   field("noisy_sigma", noisy_sigma, {0.001, 100.0}, "m",
@@ -36,7 +38,9 @@ void ReceiverClass::fields(ParameterVisitor& field) {
 }
 
 ReceiverClasses::ReceiverClasses() {
-  street.prior = 0.69;
+  street.prior = 0.39;
+  street.entry_rate = 1e-5;
+  street.open_bias_sigma = 0.2;
 
   canyon.prior = 0.3;
   canyon.always_shadow = true;
@@ -52,18 +56,26 @@ ReceiverClasses::ReceiverClasses() {
   noisy.quiet_sigma = 1.0;
   noisy.noisy_sigma = 3.0;
   noisy.open_bias_sigma = 0.5;
+  noisy.entry_rate = 1e-7;
+
+  drifting.prior = 0.3;
+  drifting.quiet_sigma = 0.4;
+  drifting.open_bias_sigma = 0.7;
 }
 
 void ReceiverClasses::fields(ParameterVisitor& field) {
   field.group("street", street, "good receiver, open sky and shadows by turns");
   field.group("canyon", canyon,
               "between tall buildings: always biased by tens of metres, changing within seconds");
-  field.group("noisy", noisy, "plain receiver: as street, with noise of a metre under open sky");
+  field.group("noisy", noisy, "plain receiver: as street, with white noise of a metre under open sky");
+  field.group("drifting", drifting,
+              "smoothing receiver: as street, with slow errors of a metre under open sky");
 }
 
 const ReceiverClass& ReceiverClasses::operator[](std::size_t index) const {
   if (index == 0) return street;
-  return index == kCanyon ? canyon : noisy;
+  if (index == kCanyon) return canyon;
+  return index == 2 ? noisy : drifting;
 }
 
 }  // namespace multipath_localization

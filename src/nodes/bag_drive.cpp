@@ -6,11 +6,15 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/NavSatFix.h>
+#include <tf2/buffer_core.h>
+#include <tf2/exceptions.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "multipath_localization/evaluation/metrics.hpp"
 #include "nodes/conversions.hpp"
@@ -71,6 +75,7 @@ class TopicList {
 struct ReceivedFix {
   sensor_msgs::NavSatFix message;
   double arrival;
+  Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();
 };
 
 /// Collects a bag's messages in the order they were recorded, as the localization node would take them.
@@ -80,6 +85,7 @@ class Collector {
 
   void take(const rosbag::MessageInstance& message) {
     const std::string& topic = message.getTopic();
+    if (without_slash(topic) == "tf_static") add(*message.instantiate<tf2_msgs::TFMessage>());
     if (topic == topics_.odometry) add(*message.instantiate<nav_msgs::Odometry>());
     if (topic == topics_.fix) add(*message.instantiate<sensor_msgs::NavSatFix>());
     if (topic == topics_.truth) {
@@ -106,6 +112,17 @@ class Collector {
     return samples;
   }
 
+  /// Where in the base the antenna of that frame is, nothing when the bag's static transforms do not tell.
+  [[nodiscard]] std::optional<Eigen::Vector2d> antenna_in_base(const std::string& frame) const {
+    if (frame == base_frame_) return Eigen::Vector2d::Zero();
+    try {
+      const auto antenna = tf_.lookupTransform(base_frame_, frame, ros::Time(0)).transform.translation;
+      return Eigen::Vector2d(antenna.x, antenna.y);
+    } catch (const tf2::TransformException&) {
+      return std::nullopt;
+    }
+  }
+
   [[nodiscard]] const std::vector<OdometryIncrement>& odometry() const { return odometry_; }
   [[nodiscard]] const std::vector<ReceivedFix>& fixes() const { return fixes_; }
   [[nodiscard]] const std::map<std::string, int>& refusals() const { return refusals_; }
@@ -122,11 +139,18 @@ class Collector {
     if (!accepted(topics_.odometry, checked.reason)) return;
     if (checked.restarted) throw DriveError(file_ + ": " + topics_.odometry + " jumps in time");
     odometry_.push_back(checked.increment);
+    base_frame_ = without_slash(message.child_frame_id);
   }
 
   void add(const sensor_msgs::NavSatFix& message) {
     if (!accepted(topics_.fix, check(message, {}))) return;
     fixes_.push_back({message, odometry_.empty() ? message.header.stamp.toSec() : odometry_.back().stamp});
+  }
+
+  void add(const tf2_msgs::TFMessage& message) {
+    for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+      tf_.setTransform(transform, "bag", true);
+    }
   }
 
   void add_truth(double stamp, const geometry_msgs::Pose& message) {
@@ -139,6 +163,8 @@ class Collector {
   std::string file_;
   BagTopics topics_;
   OdometryReader reader_{{}, ""};
+  tf2::BufferCore tf_;
+  std::string base_frame_;
   std::vector<OdometryIncrement> odometry_;
   std::vector<ReceivedFix> fixes_;
   std::map<double, Pose2> truth_;
@@ -146,6 +172,21 @@ class Collector {
   bool turns_ = false;  ///< truth has a heading: one that is always zero was never filled in
   std::map<std::string, int> refusals_;
 };
+
+/// Finds the antenna of each fix; where it is unknown it is taken to be at the base, as by the node.
+void place_antennas(const Collector& bag, std::vector<ReceivedFix>& fixes,
+                    std::vector<std::string>& notices) {
+  std::set<std::string> unknown;
+  for (ReceivedFix& fix : fixes) {
+    const std::string frame = without_slash(fix.message.header.frame_id);
+    const std::optional<Eigen::Vector2d> antenna = bag.antenna_in_base(frame);
+    if (antenna) {
+      fix.antenna_in_base = *antenna;
+    } else if (unknown.insert(frame).second) {
+      notices.push_back("no static transform to '" + frame + "': the antenna is taken to be at the base");
+    }
+  }
+}
 
 /// The datum on which the fixes lie on truth, see `read_bag`.
 Geodetic fitted_datum(const std::vector<ReceivedFix>& fixes, const std::vector<TruthSample>& truth,
@@ -155,7 +196,8 @@ Geodetic fitted_datum(const std::vector<ReceivedFix>& fixes, const std::vector<T
   for (const ReceivedFix& fix : fixes) {
     const std::optional<TruthSample> sample = truth_at(truth, fix.message.header.stamp.toSec());
     if (!sample) continue;
-    const Eigen::Vector2d offset = frame.to_map(to_geodetic(fix.message)) - sample->base_in_map.position();
+    const Eigen::Vector2d offset =
+        frame.to_map(to_geodetic(fix.message)) - antenna_in_map(*sample, fix.antenna_in_base);
     const bool open = sample->shadow.has_value() && !*sample->shadow;
     offsets[open][0].push_back(offset.x());
     offsets[open][1].push_back(offset.y());
@@ -173,11 +215,11 @@ Geodetic fitted_datum(const std::vector<ReceivedFix>& fixes, const std::vector<T
   return datum;
 }
 
-Geodetic choose_datum(const Collector& bag, const Drive& drive, const std::optional<Geodetic>& datum,
-                      std::vector<std::string>& notices) {
+Geodetic choose_datum(const std::vector<ReceivedFix>& fixes, const std::optional<Geodetic>& datum,
+                      Drive& drive) {
   if (datum) return *datum;
-  if (drive.truth.empty()) return to_geodetic(bag.fixes().front().message);
-  return fitted_datum(bag.fixes(), drive.truth, notices);
+  if (drive.truth.empty()) return to_geodetic(fixes.front().message);
+  return fitted_datum(fixes, drive.truth, drive.notices);
 }
 
 BagTopics find_topics(const rosbag::Bag& bag, const std::string& file, const BagTopics& asked) {
@@ -195,12 +237,13 @@ BagTopics find_topics(const rosbag::Bag& bag, const std::string& file, const Bag
 
 Drive read_bag(const std::string& file, const BagTopics& topics, const std::optional<Geodetic>& datum) {
   try {
-    rosbag::Bag bag(file);
+    const rosbag::Bag bag(file);
     const BagTopics found = find_topics(bag, file, topics);
     Collector collector(file, found);
     for (const rosbag::MessageInstance& message : rosbag::View(bag)) collector.take(message);
     if (collector.odometry().empty()) throw DriveError(file + ": no usable odometry");
-    if (collector.fixes().empty()) throw DriveError(file + ": no usable fix");
+    std::vector<ReceivedFix> fixes = collector.fixes();
+    if (fixes.empty()) throw DriveError(file + ": no usable fix");
 
     Drive drive;
     drive.name = std::filesystem::path(file).stem().string();
@@ -210,10 +253,11 @@ Drive read_bag(const std::string& file, const BagTopics& topics, const std::opti
     for (const auto& [refusal, times] : collector.refusals()) {
       drive.notices.push_back(refusal + ", " + std::to_string(times) + " times");
     }
-    drive.datum = choose_datum(collector, drive, datum, drive.notices);
+    place_antennas(collector, fixes, drive.notices);
+    drive.datum = choose_datum(fixes, datum, drive);
     const LocalFrame map(drive.datum);
-    for (const ReceivedFix& received : collector.fixes()) {
-      const CheckedFix checked = to_fix(received.message, map, {});
+    for (const ReceivedFix& received : fixes) {
+      const CheckedFix checked = to_fix(received.message, map, {}, received.antenna_in_base);
       if (checked.reason == Reason::kAccepted) drive.fixes.push_back({checked.fix, received.arrival});
     }
     return drive;

@@ -1,5 +1,7 @@
 // Runs estimators over a recorded drive, a bag or a simulated scenario and says how far off they were.
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <cstdlib>
@@ -23,6 +25,7 @@ namespace po = boost::program_options;
 
 constexpr char kLocalizer[] = "localizer";
 
+/// The command line.
 struct Options {
   std::string drive;
   std::string bag;
@@ -59,41 +62,56 @@ Geodetic parse_datum(const std::string& text) {
   throw UsageError("--datum " + text + " is not LATITUDE,LONGITUDE[,ALTITUDE]");
 }
 
-po::options_description describe_options() {
+constexpr char kAfterwards[] = R"(
+The table has one line per estimator: means over the seeds, in metres where nothing else is said.
+  epochs         truth samples scored; 'without' those for which there was no estimate, which are not
+  95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, where they are not
+  NEES           error squared over declared variance, 2 is ideal; 'in 95 %' [%] inside the declared ellipse
+  waypoints >=   passed by the follower in the seed with the fewest
+  missed by <=   the farthest the robot truly was from a waypoint it passed, in the worst seed
+Exit status: 0 when every run ended, 1 when one did not, 2 when the command line or the data cannot be used.
+)";
+
+po::options_description stream_options() {
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
-  po::options_description stream("One stream");
-  stream.add_options()("drive", text("DIR"), "a recording: odometry.csv, fix.csv and truth.csv")(
-      "bag", text("FILE"), "a recording: NavSatFix, Odometry, truth as PoseStamped or Odometry")(
-      "scenario", text("NAME"),
-      "a simulated run, steered on the estimate: config/scenarios/NAME.yaml, or a file");
-  po::options_description runs("Runs");
-  runs.add_options()("estimators", text("A,B"), "names, or 'all'; left out: the default estimator")(
-      "seeds", po::value<int>()->default_value(1)->value_name("N"), "run seeds 1..N")(
-      "jobs", po::value<int>()->default_value(1)->value_name("N"), "runs at a time; changes no result")(
-      "known-start", "tell the estimators the true pose at the start; it is unknown otherwise")(
-      "set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
+  po::options_description options("One stream", 110);
+  const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
+  add("drive", text("DIR"), "a recording: odometry.csv, fix.csv and truth.csv");
+  add("bag", text("FILE"), "a recording: NavSatFix, Odometry, truth as PoseStamped or Odometry");
+  add("scenario", text("NAME"),
+      "a simulation steered on the estimate: config/scenarios/NAME.yaml, or a file");
+  add("fix-topic", text("TOPIC"),
+      "of the bag, with or without leading slash; gps/fix, or the only NavSatFix");
+  add("odom-topic", text("TOPIC"), "odom, or the only Odometry besides truth");
+  add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
+  add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
+  add("datum", text("LAT,LON[,ALT]"),
+      "origin of the frame of a bag's truth [deg, m]; left out: where the median of fix - truth is zero, "
+      "over the "
+      "fixes in open sky if a shadow topic tells which those are, else over all");
+  return options;
+}
+
+po::options_description run_options() {
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  const auto number = [](const char* name, int value) {
+    return po::value<int>()->default_value(value)->value_name(name);
+  };
+  po::options_description options("Runs and results", 110);
+  const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
+  add("estimators", text("A,B"), "names, or 'all'; left out: the default estimator");
+  add("seeds", number("N", 1), "run seeds 1..N");
+  add("jobs", number("N", 1), "runs at a time; changes no result");
+  add("known-start", "tell the estimators the true pose at the start; it is unknown otherwise");
+  add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
       "a parameter of all estimators, of one as NAME.KEY, or of the stream they are put on as localizer.KEY; "
       "nested "
       "by dots; may be repeated");
-  po::options_description output("Output");
-  output.add_options()("score-from", po::value<double>()->default_value(0.0)->value_name("S"),
-                       "score from so many seconds on")("json", text("FILE"),
-                                                        "write the figures of each run")(
-      "plot", text("FILE.png"), "draw seed 1: trajectories, and error over time")("help", "print this");
-  po::options_description bag("Of a bag; names go with or without leading slash");
-  bag.add_options()("fix-topic", text("TOPIC"), "left out: gps/fix, or the only NavSatFix")(
-      "odom-topic", text("TOPIC"), "left out: odom, or the only Odometry besides truth")(
-      "truth-topic", text("TOPIC"), "left out: truth; without it nothing is scored")(
-      "shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; left out: <truth>/bias")(
-      "datum", text("LAT,LON[,ALT]"),
-      "origin of truth's frame in degrees; left out: where the median of fix - truth is zero, over the fixes "
-      "in open "
-      "sky if a shadow topic tells which those are, else over all");
-  return po::options_description("Runs estimators over the same stream and scores them against truth.")
-      .add(stream)
-      .add(runs)
-      .add(output)
-      .add(bag);
+  add("score-from", po::value<double>()->default_value(0.0)->value_name("S"), "score from S seconds on");
+  add("json", text("FILE"), "write the figures of each run");
+  add("plot", text("FILE.png"), "draw seed 1: trajectories, error and declared error over time");
+  add("help", "print this");
+  return options;
 }
 
 Options read_options(const po::variables_map& given) {
@@ -182,9 +200,9 @@ void plot(const std::string& file, const std::string& trace) {
   if (status != 0) throw std::runtime_error("cannot draw " + file);
 }
 
-std::vector<Run> make_runs(const Batch& batch, const Stream& stream,
-                           const std::vector<std::string>& parameters) {
-  ProgressBar bar(batch.estimators.size() * batch.seeds);
+std::vector<RunRecord> make_runs(const Batch& batch, const Stream& stream,
+                                 const std::vector<std::string>& parameters) {
+  ProgressBar bar(batch.estimators.size() * batch.seeds, isatty(STDERR_FILENO) != 0);
   return run_batch(batch, stream, parameters, [&](std::size_t run, double part) { bar.update(run, part); });
 }
 
@@ -195,12 +213,12 @@ int evaluate(Options options) {
   if (const auto* drive = std::get_if<Drive>(&stream)) {
     for (const std::string& notice : drive->notices) std::cerr << title << ": " << notice << "\n";
   }
-  const std::vector<Run> runs = make_runs(options.batch, stream, parameters);
+  const std::vector<RunRecord> runs = make_runs(options.batch, stream, parameters);
   std::cout << to_table(runs);
   if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
   if (!options.plot_file.empty()) plot(options.plot_file, to_trace(title, stream, runs));
   int failed = 0;
-  for (const Run& run : runs) {
+  for (const RunRecord& run : runs) {
     if (run.failure.empty()) continue;
     std::cerr << run.estimator << ", seed " << run.seed << ", did not end: " << run.failure << "\n";
     ++failed;
@@ -214,12 +232,14 @@ int evaluate(Options options) {
 int main(int argc, char** argv) {
   using namespace multipath_localization;
   try {
-    const po::options_description description = describe_options();
+    po::options_description description(
+        "Runs estimators over the same stream and scores them against truth.");
+    description.add(stream_options()).add(run_options());
     po::variables_map given;
     const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
     po::store(po::parse_command_line(argc, argv, description, style), given);
     if (given.count("help") > 0) {
-      std::cout << description;
+      std::cout << description << kAfterwards;
       return 0;
     }
     return evaluate(read_options(given));

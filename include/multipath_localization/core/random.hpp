@@ -32,8 +32,8 @@ class RandomStream {
   std::array<std::uint32_t, 4> words_{};
 };
 
-/// The Threefry4x32 bijection: four words of output per counter and key. Instantiated for 12 rounds and for the
-/// 20 that published vectors are for.
+/// The Threefry4x32 bijection: four words of output per counter and key. Instantiated for 12 rounds and for
+/// the 20 that published vectors are for.
 template <int Rounds = 12>
 std::array<std::uint32_t, 4> threefry4x32(const std::array<std::uint32_t, 4>& counter,
                                           const std::array<std::uint32_t, 4>& key);

@@ -4,7 +4,8 @@
 
 namespace multipath_localization {
 
-/// How far the pose can be trusted, in the order (and numbers) of LocalizationState.msg, whose name C++ has taken.
+/// How far the pose can be trusted, in the order (and numbers) of LocalizationState.msg, whose name C++ has
+/// taken.
 enum class Trust {
   kNotReady,       ///< no odometry or no fix yet
   kAligning,       ///< heading or position not yet confirmed: drive on

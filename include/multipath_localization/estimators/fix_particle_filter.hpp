@@ -34,6 +34,7 @@ struct FixParticleFilterParameters {
   std::string propagate_from = "particles";
   std::string point_estimate = "cluster";
   double start_sigma = 1.0;
+  double position_sigma_floor = 0.1;
   SteeringNoiseParameters motion;
   GnssLikelihoodParameters likelihood;
   FixHeadingParameters heading;

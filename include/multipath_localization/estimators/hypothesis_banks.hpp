@@ -21,9 +21,6 @@ struct BeliefParticle {
 using PerClass = std::array<double, kReceiverClassCount>;
 using ClassCounts = std::array<std::size_t, kReceiverClassCount>;
 
-/// Transition rates [1/s] between receiver classes: rates[from][to].
-using ClassRates = std::array<PerClass, kReceiverClassCount>;
-
 /// Sum of the weights of each class.
 PerClass class_weights(const std::vector<BeliefParticle>& particles);
 
@@ -34,8 +31,8 @@ ClassCounts class_counts(const PerClass& weights, std::size_t count, double floo
 /// Lets the receiver class change over `dt` seconds as a Markov chain on the weights of the banks. A fraction
 /// of each receiving bank is replaced by draws from the giving ones, which keep their pose and forget their
 /// bias: a beaten bank is re-seeded continually from the winner.
-void mix_classes(std::vector<BeliefParticle>& particles, const ClassRates& rates,
-                 const ReceiverClasses& classes, double dt, RandomStream& random);
+void mix_classes(std::vector<BeliefParticle>& particles, const ReceiverClasses& classes, double dt,
+                 RandomStream& random);
 
 /// Multiplies the weights by exp(log_likelihood) and normalises. Within a class as they are; between classes
 /// tempered by `exponent` in [0, 1]: errors of fixes a moment apart are no independent evidence of the class.

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/core/odometry_history.hpp"
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
 
 namespace multipath_localization {

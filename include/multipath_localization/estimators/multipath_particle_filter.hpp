@@ -11,21 +11,8 @@
 
 namespace multipath_localization {
 
-/// Rates of change between receiver classes [1/s], while moving.
-struct ClassRateParameters {
-  double street_to_canyon = 1e-6;
-  double canyon_to_street = 1e-5;
-  double street_to_noisy = 1e-8;
-  double noisy_to_street = 1e-6;
-  double canyon_to_noisy = 1e-6;
-  double noisy_to_canyon = 1e-6;
-
-  void fields(ParameterVisitor& field);
-  [[nodiscard]] ClassRates rates() const;
-};
-
 struct MultipathParticleFilterParameters {
-  int particles = 300;
+  int particles = 400;
   double ess_fraction = 0.5;
   double class_floor = 0.05;
   double class_evidence_time = 2.0;
@@ -39,7 +26,6 @@ struct MultipathParticleFilterParameters {
   double position_sigma_floor = 0.05;
   OdometryNoise odometry;
   ReceiverClasses classes;
-  ClassRateParameters class_rates;
 
   void fields(ParameterVisitor& field);
 };
@@ -80,7 +66,6 @@ class MultipathParticleFilter : public Estimator {
   [[nodiscard]] Belief current_belief() const;
 
   MultipathParticleFilterParameters parameters_;
-  ClassRates rates_;
   std::uint64_t seed_;
   std::uint32_t step_ = 0;
 

@@ -26,7 +26,7 @@ struct Batch {
 };
 
 /// One run and what came of it.
-struct Run {
+struct RunRecord {
   std::string source;  ///< drive, bag or scenario, as named by the user
   std::string estimator;
   std::uint64_t seed = 1;
@@ -48,8 +48,8 @@ std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
 /// Makes all runs, in the order of the estimators and then the seeds; `parameters` as from `parameters_of`.
 /// `progress` is told the run and the fraction of it that is done, from several threads. Results do not
 /// depend on `jobs`, but for the processor time.
-std::vector<Run> run_batch(const Batch& batch, const Stream& stream,
-                           const std::vector<std::string>& parameters,
-                           const std::function<void(std::size_t, double)>& progress);
+std::vector<RunRecord> run_batch(const Batch& batch, const Stream& stream,
+                                 const std::vector<std::string>& parameters,
+                                 const std::function<void(std::size_t, double)>& progress);
 
 }  // namespace multipath_localization

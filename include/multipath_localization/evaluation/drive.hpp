@@ -45,14 +45,17 @@ struct Drive {
 };
 
 /// The motion between consecutive samples (stamps increasing): the mean of the two twists over the interval
-/// between them. On the 5 Hz odometry of the Potsdamer Platz drive, dead reckoning with its two constants
-/// corrected is 1.19 m off that way (RMSE after alignment), 1.29 m with the earlier twist, 1.38 m with the
-/// later.
+/// between them; the first sample stands for one millisecond, as in the localization node. On the 5 Hz
+/// odometry of the Potsdamer Platz drive, dead reckoning with its two constants corrected is 1.19 m off that
+/// way (RMSE after alignment), 1.29 m with the earlier twist, 1.38 m with the later.
 std::vector<OdometryIncrement> increments(const std::vector<TwistSample>& samples);
 
 /// Truth at `stamp`, linear between its neighbours, with the shadow flag of the earlier one. Nothing outside
 /// the truth's span.
 std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, double stamp);
+
+/// Where an antenna truly was, or the base itself where truth has no heading [m].
+Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& antenna_in_base);
 
 /// Reads `odometry.csv` (t, vx, wz), `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2;
 /// optional alt_m, t_arrival) and `truth.csv` (t, lat_deg, lon_deg; optional alt_m, yaw, shadow) of a

@@ -32,8 +32,10 @@ struct Score {
   std::optional<double> heading_rmse;  ///< over the samples whose truth has a heading [rad]
   std::optional<double> rmse_shadow;   ///< over the samples flagged as shadow [m]
   std::optional<double> rmse_open;     ///< over the samples flagged as open [m]
-  std::optional<double> nees_mean;     ///< normalised estimation error squared of position, 2 dof: 2 is ideal
-  std::optional<double> in_ellipse;    ///< fraction inside the estimate's own 95 % ellipse
+  /// Normalised estimation error squared of position, 2 degrees of freedom: 2 is ideal. One square millimetre
+  /// is added to the declared variances, so that it is finite where they are zero.
+  std::optional<double> nees_mean;
+  std::optional<double> in_ellipse;  ///< fraction inside the estimate's own 95 % ellipse
 };
 
 /// Epochs stamped `from` or later. A figure that applies to no epoch is empty.

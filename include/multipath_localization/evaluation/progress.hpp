@@ -6,10 +6,11 @@
 
 namespace multipath_localization {
 
-/// A progress bar over several runs on stderr, drawn only when that is a terminal. Threads may share it.
+/// A progress bar over several runs on stderr. Threads may share it.
 class ProgressBar {
  public:
-  explicit ProgressBar(std::size_t runs);
+  /// Draws nothing unless `on_terminal`.
+  ProgressBar(std::size_t runs, bool on_terminal);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;

@@ -10,6 +10,6 @@ namespace multipath_localization {
 /// The runs of seed 1 that ended, as JSON for scripts/plot_evaluation: truth and fixes of the stream (of the
 /// first run, in a scenario) and of each run its estimates, errors and declared standard deviations over time
 /// [s, m].
-std::string to_trace(const std::string& title, const Stream& stream, const std::vector<Run>& runs);
+std::string to_trace(const std::string& title, const Stream& stream, const std::vector<RunRecord>& runs);
 
 }  // namespace multipath_localization

@@ -9,8 +9,8 @@
 
 namespace multipath_localization {
 
-/// True when the wheels stand: then nothing moves, turns or diffuses, and a gyro's bias does not turn a parked robot.
-/// Turning on the spot is no standstill.
+/// True when the wheels stand: then nothing moves, turns or diffuses, and a gyro's bias does not turn a
+/// parked robot. Turning on the spot is no standstill.
 bool standing(const OdometryIncrement& u);
 
 /// Noise of a front-wheel-steering robot's motion, Eqs. (5)-(7) of [NIS].
@@ -22,7 +22,7 @@ struct SteeringNoiseParameters {
   double alpha4 = 0.3;
   double alpha5 = 3.0;
   double alpha6 = 0.3;
-  double noise_scale = 1e-3;   ///< departs: 1 as printed, which wraps the steering angle round the circle
+  double noise_scale = 3e-3;   ///< departs: 1 as printed, which wraps the steering angle round the circle
   double noise_period = 0.01;  ///< Delta of [NIS] [s]
   double max_steering_angle = 1.2;  ///< departs: no limit as printed [rad]
 

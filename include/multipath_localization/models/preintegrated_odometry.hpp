@@ -15,7 +15,6 @@ struct OdometryNoise {
   double gyro_bias_sigma = 0.004;
   double scale_walk = 1e-4;
   double gyro_bias_walk = 2e-5;
-  double still_speed = 0.01;
 
   void fields(ParameterVisitor& field);
 };

@@ -14,6 +14,7 @@ namespace multipath_localization {
 /// signals), the time-varying mean of Eq. (10) of [NIS]. The white noise switches between quiet and noisy.
 struct ReceiverClass {
   double prior = 0.0;
+  double entry_rate = 1e-6;
   bool always_shadow = false;
   double quiet_sigma = 0.3;
   double noisy_sigma = 1.0;
@@ -38,18 +39,19 @@ struct ReceiverClass {
   void fields(ParameterVisitor& field);
 };
 
-/// The three classes the default filter samples from, most common first.
+/// The classes the default filter samples from.
 struct ReceiverClasses {
   ReceiverClass street;
   ReceiverClass canyon;
   ReceiverClass noisy;
+  ReceiverClass drifting;
 
   ReceiverClasses();
   void fields(ParameterVisitor& field);
   [[nodiscard]] const ReceiverClass& operator[](std::size_t index) const;
 };
 
-inline constexpr std::size_t kReceiverClassCount = 3;
+inline constexpr std::size_t kReceiverClassCount = 4;
 inline constexpr std::size_t kCanyon = 1;
 
 }  // namespace multipath_localization

@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/estimators/make_estimator.hpp"
+
+namespace multipath_localization {
+namespace {
+
+class EveryEstimator : public ::testing::TestWithParam<std::string> {};
+
+std::string message_of(const std::string& name, const YAML::Node& parameters) {
+  try {
+    make_estimator(name, parameters, 1);
+  } catch (const ParameterError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_P(EveryEstimator, ConfigurationFileIsItsDescription) {
+  std::ifstream file(std::string(CONFIG_DIR) + "/" + GetParam() + ".yaml");
+  ASSERT_TRUE(file) << "config/" << GetParam() << ".yaml is missing";
+  std::ostringstream content;
+  content << file.rdbuf();
+  EXPECT_EQ(content.str(), describe_estimator(GetParam()));
+}
+
+TEST_P(EveryEstimator, LoadsItsOwnDescription) {
+  EXPECT_NE(make_estimator(GetParam(), YAML::Load(describe_estimator(GetParam())), 1), nullptr);
+  EXPECT_NE(make_estimator(GetParam(), YAML::Node(), 1), nullptr);
+}
+
+TEST_P(EveryEstimator, RefusesUnknownKeysByName) {
+  EXPECT_NE(message_of(GetParam(), YAML::Load("particels: 10")).find("particels"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(ByName, EveryEstimator, ::testing::ValuesIn(estimator_names()),
+                         [](const auto& instance) { return instance.param; });
+
+TEST(MakeEstimator, RefusesUnknownNamesAndTellsTheKnown) {
+  const std::string message = message_of("kalmann", YAML::Node());
+  EXPECT_NE(message.find("kalmann"), std::string::npos);
+  EXPECT_NE(message.find("gated_ekf"), std::string::npos);
+}
+
+TEST(MakeEstimator, RefusesValuesOutOfRangeAndOfTheWrongTypeByKey) {
+  EXPECT_NE(message_of("nishida_particle_filter", YAML::Load("ring_fraction: 1.5")).find("ring_fraction"),
+            std::string::npos);
+  EXPECT_NE(
+      message_of("nishida_particle_filter", YAML::Load("likelihood_kernel: star")).find("likelihood_kernel"),
+      std::string::npos);
+  EXPECT_NE(message_of("gated_ekf", YAML::Load("odometry: {distance: far}")).find("odometry/distance"),
+            std::string::npos);
+}
+
+TEST(MakeEstimator, KnowsThoseOfTheReadme) {
+  const std::vector<std::string> first = {"multipath_particle_filter", "nishida_particle_filter",
+                                          "conventional_particle_filter", "gated_ekf"};
+  ASSERT_GE(estimator_names().size(), first.size());
+  EXPECT_TRUE(std::equal(first.begin(), first.end(), estimator_names().begin()));
+}
+
+}  // namespace
+}  // namespace multipath_localization
