@@ -35,7 +35,7 @@ CsvTable::CsvTable(const std::string& file, const std::vector<std::string>& requ
   const std::vector<std::string> header = split(line);
   for (std::size_t i = 0; i < header.size(); ++i) columns_[header[i]] = i;
   for (const std::string& column : required) {
-    if (!has(column)) throw DriveError(file + ":1: no column " + column);
+    if (!has(column)) throw DriveError(std::string(file).append(":1: no column ").append(column));
   }
   for (std::size_t number = 2; std::getline(in, line); ++number) {
     if (trimmed(line).empty()) continue;
@@ -59,7 +59,8 @@ double CsvTable::number(std::size_t row, const std::string& column) const {
 }
 
 DriveError CsvTable::error(std::size_t row, const std::string& reason) const {
-  return DriveError(file_ + ":" + std::to_string(lines_[row]) + ": " + reason);
+  DriveError located(file_ + ":" + std::to_string(lines_[row]) + ": " + reason);
+  return located;
 }
 
 }  // namespace multipath_localization

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <numeric>
 #include <sstream>
+#include <string_view>
 
 #include "multipath_localization/core/angle.hpp"
 
@@ -14,18 +14,25 @@ namespace multipath_localization {
 namespace {
 
 std::string number(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof(text), std::abs(value) < 1e6 ? "%.*f" : "%.*e", digits, value);
-  return text;
+  std::ostringstream out;
+  out.precision(digits);
+  out << (std::abs(value) < 1e6 ? std::fixed : std::scientific) << value;
+  return out.str();
 }
 
 std::string quoted(const std::string& text) {
+  constexpr std::string_view kHex = "0123456789abcdef";
   std::string out = "\"";
   for (const char c : text) {
-    char escaped[8] = {c, '\0'};
-    if (c == '"' || c == '\\') std::snprintf(escaped, sizeof(escaped), "\\%c", c);
-    if (static_cast<unsigned char>(c) < 0x20) std::snprintf(escaped, sizeof(escaped), "\\u%04x", c);
-    out += escaped;
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += {'\\', c};
+    } else if (code < 0x20) {
+      out += "\\u00";
+      out += {kHex[code / 16], kHex[code % 16]};
+    } else {
+      out += c;
+    }
   }
   return out + "\"";
 }

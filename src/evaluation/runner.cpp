@@ -19,15 +19,13 @@ class Replay {
   /// Everything that had arrived by `stamp`.
   void advance_to(double stamp) {
     while (true) {
-      const double odometry =
-          next_odometry_ < drive_.odometry.size() ? drive_.odometry[next_odometry_].stamp : kNever;
-      const double fix = next_fix_ < drive_.fixes.size() ? drive_.fixes[next_fix_].arrival : kNever;
-      if (odometry <= fix && odometry <= stamp) {
+      const double odometry = next_odometry_stamp();
+      const double fix = next_fix_arrival();
+      if (std::min(odometry, fix) > stamp) break;
+      if (odometry <= fix) {
         localizer_.add(drive_.odometry[next_odometry_++]);
-      } else if (fix <= stamp) {
-        localizer_.add(Measurement(drive_.fixes[next_fix_++].fix));
       } else {
-        break;
+        localizer_.add(Measurement(drive_.fixes[next_fix_++].fix));
       }
     }
     localizer_.take_reports();
@@ -40,6 +38,16 @@ class Replay {
   }
 
  private:
+  [[nodiscard]] double next_odometry_stamp() const {
+    if (next_odometry_ == drive_.odometry.size()) return kNever;
+    return drive_.odometry[next_odometry_].stamp;
+  }
+
+  [[nodiscard]] double next_fix_arrival() const {
+    if (next_fix_ == drive_.fixes.size()) return kNever;
+    return drive_.fixes[next_fix_].arrival;
+  }
+
   const Drive& drive_;
   Localizer& localizer_;
   std::size_t next_odometry_ = 0;

@@ -44,7 +44,7 @@ void write_run(std::ostream& out, const RunRecord& run, double start) {
   for (const Epoch& epoch : run.epochs) {
     if (epoch.valid) valid.push_back(epoch);
   }
-  out << "{\"estimator\": \"" << run.estimator << "\", \"rmse\": ";
+  out << R"({"estimator": ")" << run.estimator << R"(", "rmse": )";
   if (run.score.rmse) {
     out << *run.score.rmse << ", ";
   } else {
@@ -76,7 +76,7 @@ std::string to_trace(const std::string& title, const Stream& stream, const std::
 
   std::ostringstream out;
   out.precision(9);
-  out << "{\"title\": \"" << title << "\", ";
+  out << R"({"title": ")" << title << "\", ";
   write_drive(out, *drive, drive->start());
   out << ", \"runs\": [";
   for (const RunRecord* run : drawn) {
