@@ -68,7 +68,7 @@ void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
   distance_since_fix_ = confirmed_over_ = settled_over_ = 0.0;
   confirmed_ = false;
   step_ = 0;
-  if (prior) start_at(*prior);
+  if (prior && usable(*prior)) start_at(*prior);
 }
 
 template <class Place>
@@ -141,6 +141,7 @@ void MultipathParticleFilter::start_at(const PosePrior& prior) {
 }
 
 void MultipathParticleFilter::predict(const OdometryIncrement& u) {
+  if (!usable(u)) return;
   now_ = u.stamp;
   if (particles_.empty()) return;
   odometry_.add(u);
