@@ -49,8 +49,10 @@ TEST(ClassCounts, SumToTheCountAndKeepTheFloor) {
         const ClassCounts counts = class_counts(weights, count, floor);
         EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::size_t{0}), count);
         for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
-          if (weights[k] == 0.0) EXPECT_EQ(counts[k], 0U);
-          if (weights[k] == 0.0) continue;
+          if (weights[k] == 0.0) {
+            EXPECT_EQ(counts[k], 0U);
+            continue;
+          }
           EXPECT_GE(counts[k], std::min(2.0, floor * static_cast<double>(count)));
         }
       }

@@ -71,7 +71,7 @@ TEST(PreintegratedOdometry, DerivativesAreCentralDifferencesOfTheComposition) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const auto increments = random_increments(seed, 60);
     const PreintegratedOdometry odometry = summed(increments, at);
-    const auto difference = [&](double scale, double gyro_bias) {
+    const auto difference = [&](double scale, double gyro_bias) -> Eigen::Vector3d {
       const Pose2 high = composed(increments, {at.speed_scale + scale, at.gyro_bias + gyro_bias});
       const Pose2 low = composed(increments, {at.speed_scale - scale, at.gyro_bias - gyro_bias});
       return Eigen::Vector3d(high.x - low.x, high.y - low.y, angle_difference(high.yaw, low.yaw)) /
