@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+"""Simulator, localisation and steering together: a lap round the block on the estimate, the error bounded."""
+import math
+import time
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import Vector3Stamped
+from nav_msgs.msg import Odometry
+from std_msgs.msg import Float64
+
+LAP_LIMIT = 400.0  # [s] simulated; the block is 200 m round
+WALL_LIMIT = 100.0  # [s]
+START = 30.0  # [s] from here on the pose is scored
+
+
+def rms(values):
+    return math.sqrt(sum(value * value for value in values) / len(values))
+
+
+class Demo(unittest.TestCase):
+    def setUp(self):
+        self.truth, self.shadowed, self.estimates, self.progress = {}, {}, {}, 0.0
+        self.subscribers = [
+            rospy.Subscriber('truth', Odometry, lambda m: self.keep(self.truth, m)),
+            rospy.Subscriber('odometry/filtered_map', Odometry, lambda m: self.keep(self.estimates, m)),
+            rospy.Subscriber('truth/bias', Vector3Stamped, self.on_bias),
+            rospy.Subscriber('steering/progress', Float64, self.on_progress)]
+
+    @staticmethod
+    def keep(track, message):
+        position = message.pose.pose.position
+        track[message.header.stamp.to_nsec()] = (position.x, position.y)
+
+    def on_bias(self, message):
+        self.shadowed[message.header.stamp.to_nsec()] = message.vector.z > 0.0
+
+    def on_progress(self, message):
+        self.progress = message.data
+
+    def test_lap(self):
+        begin, started = time.monotonic(), None
+        while time.monotonic() - begin < WALL_LIMIT and self.progress < 1.0:
+            time.sleep(0.2)
+            now = rospy.Time.now().to_sec()
+            started = started or now or None
+            if started and now - started > LAP_LIMIT:
+                break
+        for subscriber in self.subscribers:
+            subscriber.unregister()
+        self.assertGreaterEqual(self.progress, 1.0, 'laps')
+        self.check_errors()
+
+    def check_errors(self):
+        first = min(self.estimates)
+        errors = {True: [], False: []}
+        for stamp, (x, y) in list(self.estimates.items()):
+            self.assertTrue(math.isfinite(x) and math.isfinite(y))
+            if stamp in self.truth and stamp in self.shadowed and stamp - first > START * 1e9:
+                true_x, true_y = self.truth[stamp]
+                errors[self.shadowed[stamp]].append(math.hypot(x - true_x, y - true_y))
+        print('open sky %.2f m, shadow %.2f m, max %.2f m' % (
+            rms(errors[False]), rms(errors[True]), max(errors[True] + errors[False])))
+        self.assertLess(rms(errors[False]), 1.5, 'm RMS under open sky; the fixes: 0.8')
+        self.assertLess(rms(errors[True]), 2.5, 'm RMS in shadow; the fixes: 5')
+        self.assertLess(max(errors[True] + errors[False]), 6.0, 'm')
+
+
+if __name__ == '__main__':
+    rospy.init_node('demo_test')
+    rostest.rosrun('multipath_localization', 'demo', Demo)
