@@ -47,6 +47,7 @@ MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterPa
                  parameters.alignment_variance_floor) {}
 
 void MultipathParticleFilter::predict(const OdometryIncrement& u) {
+  if (!usable(u)) return;
   now_ = u.stamp;
   if (particles_.empty()) return;
   odometry_.add(u);

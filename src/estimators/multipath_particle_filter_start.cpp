@@ -34,7 +34,7 @@ void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
   distance_since_fix_ = confirmed_over_ = settled_over_ = 0.0;
   confirmed_ = false;
   step_ = 0;
-  if (prior) start_at(*prior);
+  if (prior && usable(*prior)) start_at(*prior);
 }
 
 template <class Place>
