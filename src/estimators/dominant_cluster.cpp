@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace multipath_localization {
 
 namespace {
 
-constexpr std::size_t kSeeds = 24;  ///< heaviest hypotheses tried as centre
-constexpr double kMinReach = 2.0;   ///< [m]
+constexpr double kCentres = 24.0;  ///< hypotheses tried as centre
+constexpr double kMinReach = 2.0;  ///< [m]
 constexpr double kReachSigmas = 2.0;
 constexpr double kHeadingReach = 0.6;  ///< [rad]
 
@@ -32,17 +31,17 @@ class Agreement {
   double reach_squared_;
 };
 
-std::vector<std::size_t> heaviest(const std::vector<BeliefParticle>& particles) {
-  std::vector<std::size_t> order(particles.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t count = std::min(kSeeds, order.size());
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                    [&](std::size_t a, std::size_t b) {
-                      return particles[a].weight > particles[b].weight ||
-                             (particles[a].weight == particles[b].weight && a < b);
-                    });
-  order.resize(count);
-  return order;
+/// Hypotheses spread evenly over the weight: a cluster gets as many as its mass is worth, be it of few heavy
+/// hypotheses or many light ones.
+std::vector<std::size_t> centres(const std::vector<BeliefParticle>& particles) {
+  std::vector<std::size_t> chosen;
+  double cumulative = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double before = std::floor(kCentres * cumulative + 0.5);
+    cumulative += particles[i].weight;
+    if (std::floor(kCentres * cumulative + 0.5) > before) chosen.push_back(i);
+  }
+  return chosen;
 }
 
 Belief::Vector deviation(const Belief& belief, const Belief::Vector& mean) {
@@ -56,13 +55,13 @@ Belief::Vector deviation(const Belief& belief, const Belief::Vector& mean) {
 DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles) {
   DominantCluster cluster;
   std::size_t centre = 0;
-  for (const std::size_t seed : heaviest(particles)) {
-    const Agreement agrees(particles[seed].belief);
+  for (const std::size_t candidate : centres(particles)) {
+    const Agreement agrees(particles[candidate].belief);
     double mass = 0.0;
     for (const BeliefParticle& particle : particles) mass += agrees(particle.belief) ? particle.weight : 0.0;
     if (mass <= cluster.mass) continue;
     cluster.mass = mass;
-    centre = seed;
+    centre = candidate;
   }
   const Agreement agrees(particles[centre].belief);
   Belief& belief = cluster.belief;

@@ -90,20 +90,20 @@ ClassCounts class_counts(const PerClass& weights, std::size_t count, double floo
 
 void mix_classes(std::vector<BeliefParticle>& particles, const ReceiverClasses& classes, double dt,
                  RandomStream& random) {
+  const auto banks = banks_of(particles);
   const PerClass before = class_weights(particles);
   std::array<PerClass, kReceiverClassCount> flow{};
   PerClass after = before;
   PerClass received{};
   for (std::size_t from = 0; from < kReceiverClassCount; ++from) {
     for (std::size_t to = 0; to < kReceiverClassCount; ++to) {
-      if (from == to) continue;
+      if (from == to || banks[to].members.empty()) continue;
       flow[from][to] = before[from] * (1.0 - std::exp(-classes[to].entry_rate * dt));
       after[from] -= flow[from][to];
       after[to] += flow[from][to];
       received[to] += flow[from][to];
     }
   }
-  const auto banks = banks_of(particles);
   const std::vector<BeliefParticle> old = particles;
   for (std::size_t to = 0; to < kReceiverClassCount; ++to) {
     const std::vector<std::size_t>& members = banks[to].members;

@@ -6,7 +6,7 @@ void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
   field("particles", particles, {20, 100000}, "1", "hypotheses, each with a Kalman filter of its own");
   field("ess_fraction", ess_fraction, {0.0, 1.0}, "1",
         "resample below this effective share of a class's hypotheses");
-  field("class_floor", class_floor, {0.0, 0.3}, "1",
+  field("class_floor", class_floor, {0.0, 0.2}, "1",
         "least share of the hypotheses that a receiver class keeps");
   field("class_evidence_time", class_evidence_time, {0.01, 1000.0}, "s",
         "fixes within this time count as one piece of evidence about the receiver class");

@@ -1,0 +1,310 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "multipath_localization/estimators/gated_ekf.hpp"
+#include "multipath_localization/estimators/multipath_particle_filter.hpp"
+#include "simulated_drive.hpp"
+
+namespace multipath_localization {
+namespace {
+
+Localizer default_localizer(std::uint64_t seed) {
+  Localizer localizer(std::make_unique<MultipathParticleFilter>(MultipathParticleFilterParameters{}, seed),
+                      LocalizerParameters{});
+  localizer.start(std::nullopt);
+  return localizer;
+}
+
+/// Squared error of position over its stated covariance: 2 degrees of freedom.
+double nees(const PoseEstimate& estimate, const Pose2& truth) {
+  const Eigen::Vector2d error = position_error(estimate, truth);
+  return error.dot(estimate.covariance.topLeftCorner<2, 2>().inverse() * error);
+}
+
+bool all_finite(const PoseEstimate& estimate) {
+  const std::vector<double> numbers = numbers_of(estimate);
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+PosePrior prior_at(const Pose2& pose, double yaw_sigma) {
+  PosePrior prior;
+  prior.pose = pose;
+  prior.covariance = Eigen::Vector3d(0.25, 0.25, yaw_sigma * yaw_sigma).asDiagonal();
+  return prior;
+}
+
+/// Root of the mean square error of position.
+class RootMeanSquare {
+ public:
+  void add(const Eigen::Vector2d& error) { sum_ += error.squaredNorm(), ++count_; }
+  [[nodiscard]] double value() const { return std::sqrt(sum_ / count_); }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
+TEST(MultipathParticleFilter, SameSeedSameBytesOtherSeedDiffers) {
+  const auto last = [](std::uint64_t seed) {
+    SimulatedDrive robot(1);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 20.0);
+    return numbers_of(localizer.estimate());
+  };
+  EXPECT_EQ(last(7), last(7));
+  EXPECT_NE(last(7), last(8));
+}
+
+TEST(MultipathParticleFilter, StartingAgainForgetsEverything) {
+  SimulatedDrive fresh(1);
+  Localizer localizer = default_localizer(3);
+  fresh.run(localizer, 20.0);
+  const auto expected = numbers_of(localizer.estimate());
+  localizer.start(std::nullopt);
+  EXPECT_FALSE(localizer.estimate().valid);
+  SimulatedDrive again(1);
+  again.run(localizer, 20.0);
+  EXPECT_EQ(numbers_of(localizer.estimate()), expected);
+}
+
+TEST(MultipathParticleFilter, AgreesWithTheGatedEkfUnderAnOpenSky) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SimulatedDrive robot(seed);
+    SimulatedDrive twin(seed);
+    Localizer ours = default_localizer(seed);
+    Localizer ekf(std::make_unique<GatedEkf>(GatedEkfParameters{}), LocalizerParameters{});
+    ekf.start(std::nullopt);
+    robot.run(ours, 40.0);
+    twin.run(ekf, 40.0);
+    RootMeanSquare difference;
+    for (int i = 0; i < 300; ++i) {
+      robot.run(ours, 0.2);
+      twin.run(ekf, 0.2);
+      difference.add(ours.estimate().pose.position() - ekf.estimate().pose.position());
+    }
+    EXPECT_TRUE(ours.estimate().aligned);
+    EXPECT_LT(difference.value(), 0.15) << seed;
+  }
+}
+
+TEST(MultipathParticleFilter, ABiasOfFiveMetresForHalfAMinuteIsTracked) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SimulatedDrive robot(seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.0);
+    ASSERT_TRUE(localizer.estimate().aligned);
+    const double direction = static_cast<double>(seed);
+    robot.bias = [&](double) {
+      return Eigen::Vector2d(5.0 * std::cos(direction), 5.0 * std::sin(direction));
+    };
+    double largest = 0.0;
+    robot.run(localizer, 30.0,
+              [&] { largest = std::max(largest, position_error(localizer.estimate(), robot.truth).norm()); });
+    EXPECT_LT(largest, 2.0) << seed;
+    EXPECT_GT(localizer.estimate().shadow_probability, 0.5) << seed;
+    EXPECT_EQ(localizer.state(), Trust::kMultipath);
+    EXPECT_LT((localizer.estimate().bias - robot.bias(0.0)).norm(), 2.0) << seed;
+  }
+}
+
+TEST(MultipathParticleFilter, IsNotOverConfidentUnderAnOpenSky) {
+  constexpr int kSeeds = 12;
+  double mean = 0.0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SimulatedDrive robot(seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 40.0);
+    for (int i = 0; i < 10; ++i) {
+      robot.run(localizer, 4.0);
+      mean += nees(localizer.estimate(), robot.truth) / (10.0 * kSeeds);
+    }
+  }
+  // Mean of a chi-square of 2 dof plus 3.3 standard deviations, as if each run told one thing only.
+  EXPECT_LT(mean, 2.0 + 3.3 * std::sqrt(4.0 / kSeeds));
+  EXPECT_GT(mean, 0.1);
+}
+
+TEST(MultipathParticleFilter, AParkedRobotDoesNotFollowABias) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SimulatedDrive robot(seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.0);
+    robot.speed = 0.0;
+    robot.run(localizer, 5.0);
+    const Eigen::Vector2d parked = localizer.estimate().pose.position();
+    robot.bias = [](double) { return Eigen::Vector2d(4.0, -3.0); };
+    robot.run(localizer, 300.0);
+    EXPECT_LT((localizer.estimate().pose.position() - parked).norm(), 1.0) << seed;
+  }
+}
+
+TEST(MultipathParticleFilter, KnowsTheCanyonAndHowLittleItKnowsThere) {
+  double mean = 0.0;
+  constexpr int kSeeds = 8;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SimulatedDrive robot(seed);
+    robot.speed = 5.0;
+    robot.bias = WanderingBias(25.0, 15.0, seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 150.0);
+    for (int i = 0; i < 10; ++i) {
+      robot.run(localizer, 15.0);
+      mean += nees(localizer.estimate(), robot.truth) / (10.0 * kSeeds);
+    }
+    EXPECT_GT(localizer.estimate().canyon_probability, 0.9) << seed;
+  }
+  EXPECT_LT(mean, 6.0);
+}
+
+TEST(MultipathParticleFilter, IsValidFromTheFirstFixAndAlignedAfterTheConfirmingDistance) {
+  const MultipathParticleFilterParameters parameters;
+  SimulatedDrive robot(1);
+  Localizer localizer = default_localizer(1);
+  robot.receiving = false;
+  robot.run(localizer, 2.0);
+  EXPECT_FALSE(localizer.estimate().valid);
+  EXPECT_TRUE(localizer.hypotheses().empty());
+  robot.receiving = true;
+  robot.run(localizer, 0.2);
+  EXPECT_TRUE(localizer.estimate().valid);
+  EXPECT_EQ(localizer.hypotheses().size(), static_cast<std::size_t>(parameters.particles));
+  robot.run(localizer, parameters.confirm_distance / robot.speed - 0.5);
+  EXPECT_FALSE(localizer.estimate().aligned);
+  robot.run(localizer, 30.0);
+  EXPECT_TRUE(localizer.estimate().aligned);
+}
+
+TEST(MultipathParticleFilter, NeverAlignsStandingStill) {
+  SimulatedDrive robot(2);
+  robot.speed = 0.0;
+  Localizer localizer = default_localizer(1);
+  robot.run(localizer, 120.0);
+  EXPECT_FALSE(localizer.estimate().aligned);
+}
+
+TEST(MultipathParticleFilter, StartsAtAPriorAndConfirmsItByDriving) {
+  for (const double yaw_sigma : {0.05, 0.8}) {
+    SimulatedDrive robot(3);
+    Localizer localizer = default_localizer(1);
+    localizer.start(prior_at(robot.truth, yaw_sigma));
+    const PoseEstimate start = localizer.estimate();
+    EXPECT_TRUE(start.valid);
+    EXPECT_FALSE(start.aligned);
+    EXPECT_LT(position_error(start, robot.truth).norm(), 1e-9);
+    EXPECT_LT(std::abs(angle_difference(start.pose.yaw, robot.truth.yaw)), yaw_sigma);
+    double mass = 0.0;
+    for (const Hypothesis& hypothesis : localizer.hypotheses()) mass += hypothesis.weight;
+    EXPECT_NEAR(mass, 1.0, 1e-9);
+    robot.run(localizer, 30.0);
+    EXPECT_TRUE(localizer.estimate().aligned);
+    EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
+  }
+}
+
+TEST(MultipathParticleFilter, UnusableFixesAreRefusedWithTheReasonAndChangeNothing) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  MultipathParticleFilter filter({}, 1);
+  MultipathParticleFilter untouched({}, 1);
+  Reason frozen = Reason::kUnused;
+  Reason not_finite = Reason::kUnused;
+  Reason negative = Reason::kUnused;
+  for (int i = 1; i <= 100; ++i) {
+    const OdometryIncrement u{0.2 * i, 0.2, 1.5, 0.1};
+    filter.predict(u);
+    untouched.predict(u);
+    RandomStream random(4, static_cast<std::uint32_t>(i), 0);
+    GnssFix fix;
+    fix.stamp = u.stamp;
+    fix.position = {0.3 * i + 0.3 * random.normal(), 0.3 * random.normal()};
+    GnssFix bad = fix;
+    bad.position.x() = nan;
+    not_finite = filter.update(bad).reason;
+    bad = fix;
+    bad.covariance(1, 1) = -1.0;
+    negative = filter.update(bad).reason;
+    EXPECT_TRUE(filter.update(fix).accepted());
+    EXPECT_TRUE(untouched.update(fix).accepted());
+    frozen = filter.update(fix).reason;
+    filter.predict({u.stamp, 0.1, nan, 0.0});
+    filter.predict({u.stamp, -0.1, 1.0, 0.0});
+  }
+  EXPECT_EQ(not_finite, Reason::kNotFinite);
+  EXPECT_EQ(negative, Reason::kInvalidCovariance);
+  EXPECT_EQ(frozen, Reason::kFrozen);
+  EXPECT_EQ(numbers_of(filter.estimate()), numbers_of(untouched.estimate()));
+}
+
+TEST(MultipathParticleFilter, AnUnusablePriorIsNoStart) {
+  MultipathParticleFilter filter({}, 1);
+  filter.start(prior_at({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}, 0.1));
+  EXPECT_FALSE(filter.estimate().valid);
+}
+
+double open_sky_error(double latency, const Eigen::Vector2d& antenna, double speed) {
+  RootMeanSquare error;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SimulatedDrive robot(seed);
+    robot.latency = latency;
+    robot.antenna = antenna;
+    robot.speed = speed;
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 40.0);
+    EXPECT_TRUE(localizer.estimate().aligned) << seed;
+    robot.run(localizer, 40.0, [&] { error.add(position_error(localizer.estimate(), robot.truth)); });
+    EXPECT_LT(std::abs(angle_difference(localizer.estimate().pose.yaw, robot.truth.yaw)), 0.1) << seed;
+  }
+  return error.value();
+}
+
+TEST(MultipathParticleFilter, LateFixesAreAsGoodAsPromptOnes) {
+  const double prompt = open_sky_error(0.0, {0.0, 0.0}, 2.0);
+  const double late = open_sky_error(0.3, {0.0, 0.0}, 2.0);
+  EXPECT_LT(prompt, 0.4);
+  EXPECT_NEAR(late, prompt, 0.05);  // 0.6 m of driving, were the age not counted
+}
+
+TEST(MultipathParticleFilter, ALeverArmCostsNothingThoughTheHeadingIsUnknownAtFirst) {
+  EXPECT_LT(open_sky_error(0.0, {1.0, 0.0}, 2.0), 0.4);
+  EXPECT_LT(open_sky_error(0.0, {-0.6, 0.8}, 2.0), 0.4);
+}
+
+TEST(MultipathParticleFilter, FindsAndKeepsTheHeadingInReverse) {
+  EXPECT_LT(open_sky_error(0.0, {0.5, 0.0}, -1.5), 0.4);
+  SimulatedDrive robot(4);
+  Localizer localizer = default_localizer(1);
+  robot.run(localizer, 60.0);
+  for (const double speed : {-2.0, 2.0, -1.0}) {
+    robot.speed = speed;
+    robot.run(localizer, 20.0, [&] {
+      EXPECT_LT(std::abs(angle_difference(localizer.estimate().pose.yaw, robot.truth.yaw)), 0.15);
+    });
+  }
+}
+
+TEST(MultipathParticleFilter, FixesTenThousandKilometresAwayGiveNumbersStill) {
+  SimulatedDrive robot(5);
+  Localizer localizer = default_localizer(1);
+  robot.run(localizer, 40.0);
+  robot.bias = [](double time) { return Eigen::Vector2d(time > 42.0 ? 0.0 : 1e7, 0.0); };
+  robot.run(localizer, 20.0, [&] { ASSERT_TRUE(all_finite(localizer.estimate())); });
+  for (const Hypothesis& hypothesis : localizer.hypotheses()) {
+    EXPECT_TRUE(hypothesis.pose.finite());
+    EXPECT_TRUE(std::isfinite(hypothesis.weight));
+  }
+}
+
+TEST(MultipathParticleFilter, AFirstFixFarAwayIsAStartLikeAnyOther) {
+  SimulatedDrive robot(6);
+  robot.truth = {1e7, -1e7, 0.5};
+  Localizer localizer = default_localizer(1);
+  robot.run(localizer, 60.0);
+  EXPECT_TRUE(localizer.estimate().aligned);
+  EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
+}
+
+}  // namespace
+}  // namespace multipath_localization
