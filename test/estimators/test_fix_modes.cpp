@@ -87,7 +87,7 @@ TEST(FixModes, NoPriorIsNegativeWhenRestartsAndOutliersTakeItAll) {
   receiver.outlier_probability = 0.5;
   FixInterval interval = driving(1.0);
   interval.position_restart_rate = interval.heading_restart_rate = 10.0;
-  EXPECT_GT(sum_of_priors(FixModes(receiver, interval).candidates({}, off_heading(1))), 1.0);
+  EXPECT_GT(sum_of_priors(FixModes(receiver, interval).candidates({}, off_heading(1))), 1.0);  // the floor
 }
 
 TEST(FixModes, LikelihoodIsTheDensityOfTheFixAfterTheCandidate) {
@@ -161,6 +161,25 @@ TEST(FixModes, AHeadingThatAgreesDoesNotRestart) {
   EXPECT_GT(modes.candidates({}, belief)[7].prior, 0.0);
   belief.mean(kYaw) = interval.aligned_heading->yaw + 0.1;
   EXPECT_EQ(modes.candidates({}, belief)[7].prior, 0.0);
+}
+
+TEST(FixModes, AnOutlierLeavesThePoseAloneAndAHeadingRestartTakesTheAlignedHeading) {
+  const ReceiverClass receiver;
+  const FixInterval interval = driving(0.2);
+  const FixModes modes(receiver, interval);
+  const Belief before = off_heading(1);
+  const FixCandidates candidates = modes.candidates({}, before);
+  Belief outlier = before;
+  ASSERT_TRUE(candidates[5].outlier);
+  modes.apply(candidates[5], {100.0, 100.0}, {0.0, 0.0}, OdometryNoise{}, outlier);
+  EXPECT_EQ(outlier.mean.head<5>(), before.mean.head<5>());
+  EXPECT_EQ((outlier.covariance.topLeftCorner<5, 5>()), (before.covariance.topLeftCorner<5, 5>()));
+
+  Belief restarted = before;
+  ASSERT_EQ(candidates[7].restart, Restart::kHeading);
+  modes.apply(candidates[7], before.mean.head<2>(), {0.0, 0.0}, OdometryNoise{}, restarted);
+  EXPECT_NEAR(restarted.mean(kYaw), interval.aligned_heading->yaw, 1e-9);
+  EXPECT_NEAR(restarted.covariance(kYaw, kYaw), interval.aligned_heading->variance, 1e-9);
 }
 
 TEST(FixModes, AStandingRobotNeitherSlipsNorRestarts) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -72,7 +73,7 @@ TEST(MultipathParticleFilter, StartingAgainForgetsEverything) {
 }
 
 TEST(MultipathParticleFilter, AgreesWithTheGatedEkfUnderAnOpenSky) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SimulatedDrive robot(seed);
     SimulatedDrive twin(seed);
     Localizer ours = default_localizer(seed);
@@ -92,7 +93,7 @@ TEST(MultipathParticleFilter, AgreesWithTheGatedEkfUnderAnOpenSky) {
 }
 
 TEST(MultipathParticleFilter, ABiasOfFiveMetresForHalfAMinuteIsTracked) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SimulatedDrive robot(seed);
     Localizer localizer = default_localizer(seed);
     robot.run(localizer, 60.0);
@@ -129,7 +130,7 @@ TEST(MultipathParticleFilter, IsNotOverConfidentUnderAnOpenSky) {
 }
 
 TEST(MultipathParticleFilter, AParkedRobotDoesNotFollowABias) {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SimulatedDrive robot(seed);
     Localizer localizer = default_localizer(seed);
     robot.run(localizer, 60.0);
@@ -144,16 +145,16 @@ TEST(MultipathParticleFilter, AParkedRobotDoesNotFollowABias) {
 
 TEST(MultipathParticleFilter, KnowsTheCanyonAndHowLittleItKnowsThere) {
   double mean = 0.0;
-  constexpr int kSeeds = 8;
+  constexpr int kSeeds = 5;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     SimulatedDrive robot(seed);
     robot.speed = 5.0;
     robot.bias = WanderingBias(25.0, 15.0, seed);
     Localizer localizer = default_localizer(seed);
     robot.run(localizer, 150.0);
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 6; ++i) {
       robot.run(localizer, 15.0);
-      mean += nees(localizer.estimate(), robot.truth) / (10.0 * kSeeds);
+      mean += nees(localizer.estimate(), robot.truth) / (6.0 * kSeeds);
     }
     EXPECT_GT(localizer.estimate().canyon_probability, 0.9) << seed;
   }
@@ -246,7 +247,7 @@ TEST(MultipathParticleFilter, AnUnusablePriorIsNoStart) {
 
 double open_sky_error(double latency, const Eigen::Vector2d& antenna, double speed) {
   RootMeanSquare error;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SimulatedDrive robot(seed);
     robot.latency = latency;
     robot.antenna = antenna;
@@ -283,6 +284,23 @@ TEST(MultipathParticleFilter, FindsAndKeepsTheHeadingInReverse) {
       EXPECT_LT(std::abs(angle_difference(localizer.estimate().pose.yaw, robot.truth.yaw)), 0.15);
     });
   }
+}
+
+TEST(MultipathParticleFilter, GrowsUnsureThroughAnOutageAndRecovers) {
+  SimulatedDrive robot(7);
+  Localizer localizer = default_localizer(1);
+  robot.run(localizer, 60.0);
+  const double before = localizer.estimate().covariance.trace();
+  robot.receiving = false;
+  robot.run(localizer, 60.0);
+  const PoseEstimate blind = localizer.estimate();
+  EXPECT_EQ(localizer.state(), Trust::kDeadReckoning);
+  EXPECT_GT(blind.covariance.trace(), 2.0 * before);
+  EXPECT_EQ(blind.covariance.llt().info(), Eigen::Success);
+  EXPECT_LT(nees(blind, robot.truth), 13.8);  // exceeded by one in a thousand
+  robot.receiving = true;
+  robot.run(localizer, 30.0);
+  EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
 }
 
 TEST(MultipathParticleFilter, FixesTenThousandKilometresAwayGiveNumbersStill) {
