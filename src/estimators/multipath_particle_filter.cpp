@@ -13,26 +13,12 @@ namespace {
 
 constexpr double kMaxFlush = 1.2;               ///< odometry is linearised over at most this long [s]
 constexpr double kMovedSinceFix = 0.02;         ///< less is a standing robot [m]
-constexpr double kRingSpacing = 0.6;            ///< 1 sigma of a start heading, in spacings of the ring
-constexpr double kMinStartYawSigma = 0.05;      ///< [rad]
 constexpr double kSettledProbability = 0.95;    ///< of the canyon, and of one cluster in it
 constexpr double kSettledYawSigma = 0.35;       ///< of the heading there [rad]
 constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
 
 double square(double x) { return x * x; }
-
-/// Interleaves the classes in proportion to their priors: the class of each of `count` particles.
-std::vector<std::size_t> interleaved(const ReceiverClasses& classes, std::size_t count) {
-  PerClass due{};
-  std::vector<std::size_t> order(count);
-  for (std::size_t& chosen : order) {
-    for (std::size_t k = 0; k < kReceiverClassCount; ++k) due[k] += classes[k].prior;
-    chosen = static_cast<std::size_t>(std::max_element(due.begin(), due.end()) - due.begin());
-    due[chosen] -= 1.0;
-  }
-  return order;
-}
 
 /// Draws the index of one candidate in proportion to exp(log_weight), and gives log(sum(exp(log_weight))).
 std::pair<std::size_t, double> draw(const std::array<double, kFixCandidates>& log_weight, double u) {
@@ -59,86 +45,6 @@ MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterPa
       odometry_(parameters.odometry),
       alignment_(parameters.alignment_length, parameters.classes.street.quiet_sigma,
                  parameters.alignment_variance_floor) {}
-
-void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
-  particles_.clear();
-  odometry_.restart(0.0, 0.0);
-  alignment_.clear();
-  fix_check_.forget();
-  distance_since_fix_ = confirmed_over_ = settled_over_ = 0.0;
-  confirmed_ = false;
-  step_ = 0;
-  if (prior && usable(*prior)) start_at(*prior);
-}
-
-template <class Place>
-void MultipathParticleFilter::spread(Place place) {
-  const auto count = static_cast<std::size_t>(parameters_.particles);
-  const std::vector<std::size_t> order = interleaved(parameters_.classes, count);
-  PerClass size{};
-  for (const std::size_t k : order) size[k] += 1.0;
-  PerClass next{};
-  particles_.assign(count, BeliefParticle{});
-  for (std::size_t i = 0; i < count; ++i) {
-    BeliefParticle& particle = particles_[i];
-    const std::size_t k = particle.receiver = order[i];
-    const ReceiverClass& receiver = parameters_.classes[k];
-    particle.weight = 1.0 / static_cast<double>(count);
-    particle.mode.shadow =
-        RandomStream(seed_, step_, static_cast<std::uint32_t>(i)).uniform() < receiver.shadow_at_start;
-    particle.mode.noisy = receiver.always_shadow;
-    const double sigma = particle.mode.shadow ? receiver.shadow_bias_sigma : receiver.open_bias_sigma;
-    particle.belief.renew_bias(sigma * sigma);
-    particle.belief.renew(kScale, 0.0, square(parameters_.odometry.scale_sigma));
-    particle.belief.renew(kGyroBias, 0.0, square(parameters_.odometry.gyro_bias_sigma));
-    place(particle, (next[k] + 0.5) / size[k], size[k]);
-    next[k] += 1.0;
-  }
-  ++step_;
-  last_fix_ = now_;
-  refresh_cluster();
-}
-
-void MultipathParticleFilter::start_at(const GnssFix& fix) {
-  spread([&](BeliefParticle& particle, double turn, double bank_size) {
-    const ReceiverClass& receiver = parameters_.classes[particle.receiver];
-    Belief& belief = particle.belief;
-    const double yaw_sigma = std::max(kMinStartYawSigma, kRingSpacing * 2.0 * kPi / bank_size);
-    belief.renew(kYaw, wrap_angle(2.0 * kPi * turn), square(yaw_sigma));
-    const Eigen::Vector2d lever = rotation(belief.mean(kYaw)) * fix.antenna_in_base;
-    const Eigen::Vector2d by_yaw(-lever.y(), lever.x());
-    const double bias_variance = belief.covariance(kBiasX, kBiasX);
-    const double noise = square(particle.mode.shadow ? receiver.noisy_sigma : receiver.quiet_sigma);
-    belief.mean.head<2>() = fix.position - lever;
-    belief.covariance.topLeftCorner<2, 2>() = (noise + bias_variance) * Eigen::Matrix2d::Identity() +
-                                              square(yaw_sigma) * by_yaw * by_yaw.transpose();
-    belief.covariance.block<2, 1>(kX, kYaw) = -square(yaw_sigma) * by_yaw;
-    belief.covariance.block<1, 2>(kYaw, kX) = -square(yaw_sigma) * by_yaw.transpose();
-    belief.covariance.block<2, 2>(kX, kBiasX) = -bias_variance * Eigen::Matrix2d::Identity();
-    belief.covariance.block<2, 2>(kBiasX, kX) = -bias_variance * Eigen::Matrix2d::Identity();
-  });
-}
-
-void MultipathParticleFilter::start_at(const PosePrior& prior) {
-  now_ = prior.stamp;
-  const double prior_yaw_sigma = std::sqrt(prior.covariance(2, 2));
-  spread([&](BeliefParticle& particle, double turn, double bank_size) {
-    Belief& belief = particle.belief;
-    belief.mean.head<3>() << prior.pose.x, prior.pose.y, prior.pose.yaw;
-    belief.covariance.topLeftCorner<3, 3>() = prior.covariance;
-    if (prior_yaw_sigma < kMinStartYawSigma * kRingSpacing * kPi) return;
-    // A wide heading does not fit one Kalman filter: a ring of narrow ones over 3 sigma, at most the circle.
-    const double half = std::min(3.0 * prior_yaw_sigma, kPi);
-    const double offset = half * (2.0 * turn - 1.0);
-    const double yaw_sigma = std::max(kMinStartYawSigma, kRingSpacing * 2.0 * half / bank_size);
-    belief.renew(kYaw, wrap_angle(prior.pose.yaw + offset), square(yaw_sigma));
-    particle.weight *= std::exp(-0.5 * square(offset / prior_yaw_sigma));
-  });
-  double sum = 0.0;
-  for (const BeliefParticle& particle : particles_) sum += particle.weight;
-  for (BeliefParticle& particle : particles_) particle.weight /= sum;
-  refresh_cluster();
-}
 
 void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   if (!usable(u)) return;

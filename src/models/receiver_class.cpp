@@ -44,7 +44,7 @@ ReceiverClasses::ReceiverClasses() {
 
   canyon.prior = 0.3;
   canyon.always_shadow = true;
-  canyon.noisy_sigma = 3.0;
+  canyon.noisy_sigma = 2.0;
   canyon.shadow_bias_sigma = 25.0;
   canyon.shadow_bias_time = 15.0;
   canyon.shadow_at_start = 1.0;

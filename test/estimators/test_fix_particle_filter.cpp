@@ -9,61 +9,10 @@
 #include "multipath_localization/estimators/conventional_particle_filter.hpp"
 #include "multipath_localization/estimators/fix_particle_filter.hpp"
 #include "multipath_localization/estimators/nishida_particle_filter.hpp"
+#include "winding_drive.hpp"
 
 namespace multipath_localization {
 namespace {
-
-constexpr double kStep = 0.02;
-constexpr int kStepsPerFix = 10;
-
-/// A robot on a winding way at 2 m/s with noisy fixes, and an offset on demand.
-class Drive {
- public:
-  explicit Drive(std::uint64_t seed) : seed_(seed) {}
-
-  Pose2 truth{3.0, -2.0, 2.0};
-  Eigen::Vector2d antenna = Eigen::Vector2d(0.4, -0.1);
-  double speed = 2.0;
-  double time = 0.0;
-
-  OdometryIncrement next() {
-    time += kStep;
-    const OdometryIncrement u{time, kStep, speed, 0.3 * std::sin(0.3 * time)};
-    truth = truth * displacement(u);
-    return u;
-  }
-
-  GnssFix fix() {
-    RandomStream random(seed_, fixes_++, 0);
-    GnssFix fix;
-    fix.stamp = time;
-    fix.position = truth * antenna + 0.3 * Eigen::Vector2d(random.normal(), random.normal());
-    fix.covariance = 0.09 * Eigen::Matrix2d::Identity();
-    fix.antenna_in_base = antenna;
-    return fix;
-  }
-
-  void run(Estimator& filter, double duration, const Eigen::Vector2d& offset = Eigen::Vector2d::Zero()) {
-    const auto steps = std::lround(duration / kStep);
-    for (long i = 1; i <= steps; ++i) {
-      filter.predict(next());
-      if (i % kStepsPerFix != 0) continue;
-      GnssFix z = fix();
-      z.position += offset;
-      last = filter.update(z);
-    }
-  }
-
-  double error(const Estimator& filter) const {
-    return (filter.estimate().pose.position() - truth.position()).norm();
-  }
-
-  Innovation last;
-
- private:
-  std::uint64_t seed_;
-  std::uint32_t fixes_ = 0;
-};
 
 /// Fewer particles, for the tests in which the number does not matter.
 template <class Parameters>
@@ -87,7 +36,7 @@ TYPED_TEST_SUITE(ParticleFilters, Both);
 
 TYPED_TEST(ParticleFilters, FindPoseAndHeadingUnderOpenSkyFromNothing) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    Drive drive(seed);
+    WindingDrive drive(seed);
     FixParticleFilter filter(TypeParam{}, seed);
     filter.start(std::nullopt);
     drive.run(filter, 30.0);
@@ -99,7 +48,7 @@ TYPED_TEST(ParticleFilters, FindPoseAndHeadingUnderOpenSkyFromNothing) {
 }
 
 TYPED_TEST(ParticleFilters, FindTheirHeadingInReverse) {
-  Drive drive(4);
+  WindingDrive drive(4);
   drive.speed = -2.0;
   FixParticleFilter filter(TypeParam{}, 4);
   filter.start(std::nullopt);
@@ -109,7 +58,7 @@ TYPED_TEST(ParticleFilters, FindTheirHeadingInReverse) {
 }
 
 TYPED_TEST(ParticleFilters, StartUnknownAndSayNothingBeforeTheFirstFix) {
-  Drive drive(5);
+  WindingDrive drive(5);
   FixParticleFilter filter(TypeParam{}, 5);
   filter.start(std::nullopt);
   filter.predict(drive.next());
@@ -136,7 +85,7 @@ TYPED_TEST(ParticleFilters, StartAtThePrior) {
 TYPED_TEST(ParticleFilters, SameSeedSameBytes) {
   std::vector<Hypothesis> first;
   for (const std::uint64_t seed : {7U, 7U, 8U}) {
-    Drive drive(1);
+    WindingDrive drive(1);
     FixParticleFilter filter(small<TypeParam>(), seed);
     filter.start(std::nullopt);
     drive.run(filter, 4.0);
@@ -155,7 +104,7 @@ TYPED_TEST(ParticleFilters, RestartRepeatsTheFirstRun) {
   FixParticleFilter filter(small<TypeParam>(), 9);
   std::vector<double> ends;
   for (int run = 0; run < 2; ++run) {
-    Drive drive(2);
+    WindingDrive drive(2);
     filter.start(std::nullopt);
     drive.run(filter, 4.0);
     ends.push_back(filter.estimate().pose.x);
@@ -164,7 +113,7 @@ TYPED_TEST(ParticleFilters, RestartRepeatsTheFirstRun) {
 }
 
 TYPED_TEST(ParticleFilters, DefectiveFixesAreRefusedAndChangeNothing) {
-  Drive drive(10);
+  WindingDrive drive(10);
   FixParticleFilter filter(small<TypeParam>(), 10);
   filter.start(std::nullopt);
   drive.run(filter, 5.0);
@@ -188,7 +137,7 @@ TYPED_TEST(ParticleFilters, DefectiveFixesAreRefusedAndChangeNothing) {
 }
 
 TYPED_TEST(ParticleFilters, ParkedRobotsDoNotDiffuse) {
-  Drive drive(11);
+  WindingDrive drive(11);
   FixParticleFilter filter(small<TypeParam>(), 11);
   filter.start(std::nullopt);
   drive.run(filter, 10.0);
@@ -199,7 +148,7 @@ TYPED_TEST(ParticleFilters, ParkedRobotsDoNotDiffuse) {
 }
 
 TYPED_TEST(ParticleFilters, OffsetThatPersistsIsAcceptedAndLeavesASoundEstimate) {
-  Drive drive(12);
+  WindingDrive drive(12);
   FixParticleFilter filter(small<TypeParam>(), 12);
   filter.start(std::nullopt);
   drive.run(filter, 20.0);
@@ -213,7 +162,7 @@ TYPED_TEST(ParticleFilters, OffsetThatPersistsIsAcceptedAndLeavesASoundEstimate)
 TYPED_TEST(ParticleFilters, HypothesesSumToOneAndAreCapped) {
   TypeParam parameters;
   parameters.particles = 4500;
-  Drive drive(13);
+  WindingDrive drive(13);
   FixParticleFilter filter(parameters, 13);
   filter.start(std::nullopt);
   drive.run(filter, 1.0);
@@ -238,7 +187,7 @@ TYPED_TEST(ParticleFilters, EveryOptionStaysFiniteThroughABiasedDrive) {
         parameters.point_estimate = "mean";
         parameters.ring.ring_weight = "printed";
         parameters.motion.noise_scale = 1.0;
-        Drive drive(14);
+        WindingDrive drive(14);
         FixParticleFilter filter(parameters, 14);
         filter.start(prior_at(drive.truth));
         drive.run(filter, 5.0);
@@ -260,7 +209,7 @@ TEST(FixParticleFilter, WithoutRingAndShadowTheMethodIsTheConventionalFilter) {
   FixParticleFilter stripped(nishida, 15);
   FixParticleFilter conventional(plain, 15);
   for (FixParticleFilter* filter : {&stripped, &conventional}) {
-    Drive drive(15);
+    WindingDrive drive(15);
     filter->start(std::nullopt);
     drive.run(*filter, 4.0);
   }
@@ -270,7 +219,7 @@ TEST(FixParticleFilter, WithoutRingAndShadowTheMethodIsTheConventionalFilter) {
 }
 
 TEST(FixParticleFilter, ShadowProbabilityAndBiasTellABiasedFix) {
-  Drive drive(16);
+  WindingDrive drive(16);
   FixParticleFilter filter(NishidaParticleFilterParameters{}, 16);
   filter.start(prior_at(drive.truth));
   drive.run(filter, 10.0);
@@ -287,7 +236,7 @@ TEST(FixParticleFilter, RingPutsParticlesAtTheRadiusOfTheBias) {
   NishidaParticleFilterParameters parameters;
   parameters.ring.ring_fraction = 0.5;
   parameters.ess_threshold = 0.0;
-  Drive drive(17);
+  WindingDrive drive(17);
   FixParticleFilter filter(parameters, 17);
   filter.start(prior_at(drive.truth));
   GnssFix fix = drive.fix();
@@ -302,7 +251,7 @@ TEST(FixParticleFilter, RingPutsParticlesAtTheRadiusOfTheBias) {
 }
 
 TEST(FixParticleFilter, InnovationIsThatOfTheAntenna) {
-  Drive drive(18);
+  WindingDrive drive(18);
   FixParticleFilter filter(ConventionalParticleFilterParameters{}, 18);
   filter.start(prior_at(drive.truth));
   GnssFix fix = drive.fix();
