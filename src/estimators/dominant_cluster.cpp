@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace multipath_localization {
 
 namespace {
 
-constexpr double kCentres = 24.0;  ///< hypotheses tried as centre
-constexpr double kMinReach = 2.0;  ///< [m]
+constexpr std::size_t kCentres = 24;  ///< hypotheses tried as centre
+constexpr double kMinReach = 2.0;     ///< [m]
 constexpr double kReachSigmas = 2.0;
 constexpr double kHeadingReach = 0.6;  ///< [rad]
 
@@ -31,17 +32,52 @@ class Agreement {
   double reach_squared_;
 };
 
-/// Hypotheses spread evenly over the weight: a cluster gets as many as its mass is worth, be it of few heavy
-/// hypotheses or many light ones.
-std::vector<std::size_t> centres(const std::vector<BeliefParticle>& particles) {
+std::vector<std::size_t> heaviest(const std::vector<BeliefParticle>& particles) {
+  std::vector<std::size_t> order(particles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::size_t count = std::min(kCentres, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                    [&](std::size_t a, std::size_t b) {
+                      return particles[a].weight > particles[b].weight ||
+                             (particles[a].weight == particles[b].weight && a < b);
+                    });
+  order.resize(count);
+  return order;
+}
+
+/// Evenly over the weight: a cluster gets as many as its mass is worth, though its hypotheses be light.
+std::vector<std::size_t> spread(const std::vector<BeliefParticle>& particles) {
   std::vector<std::size_t> chosen;
   double cumulative = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double before = std::floor(kCentres * cumulative + 0.5);
+    const double before = std::floor(static_cast<double>(kCentres) * cumulative + 0.5);
     cumulative += particles[i].weight;
-    if (std::floor(kCentres * cumulative + 0.5) > before) chosen.push_back(i);
+    if (std::floor(static_cast<double>(kCentres) * cumulative + 0.5) > before) chosen.push_back(i);
   }
   return chosen;
+}
+
+/// A hypothesis and the weight of all that agree with it.
+struct Centre {
+  std::size_t index = 0;
+  double mass = 0.0;
+};
+
+Centre best_of(const std::vector<std::size_t>& candidates, const std::vector<BeliefParticle>& particles,
+               Centre best) {
+  for (const std::size_t candidate : candidates) {
+    const Agreement agrees(particles[candidate].belief);
+    double mass = 0.0;
+    for (const BeliefParticle& particle : particles) mass += agrees(particle.belief) ? particle.weight : 0.0;
+    if (mass > best.mass) best = {candidate, mass};
+  }
+  return best;
+}
+
+/// No other cluster can outweigh one of more than half.
+Centre dominant_centre(const std::vector<BeliefParticle>& particles) {
+  const Centre best = best_of(heaviest(particles), particles, {});
+  return best.mass > 0.5 ? best : best_of(spread(particles), particles, best);
 }
 
 Belief::Vector deviation(const Belief& belief, const Belief::Vector& mean) {
@@ -54,16 +90,9 @@ Belief::Vector deviation(const Belief& belief, const Belief::Vector& mean) {
 
 DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles) {
   DominantCluster cluster;
-  std::size_t centre = 0;
-  for (const std::size_t candidate : centres(particles)) {
-    const Agreement agrees(particles[candidate].belief);
-    double mass = 0.0;
-    for (const BeliefParticle& particle : particles) mass += agrees(particle.belief) ? particle.weight : 0.0;
-    if (mass <= cluster.mass) continue;
-    cluster.mass = mass;
-    centre = candidate;
-  }
-  const Agreement agrees(particles[centre].belief);
+  const Centre centre = dominant_centre(particles);
+  cluster.mass = centre.mass;
+  const Agreement agrees(particles[centre.index].belief);
   Belief& belief = cluster.belief;
   Eigen::Vector2d heading = Eigen::Vector2d::Zero();
   for (const BeliefParticle& particle : particles) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <deque>
@@ -135,5 +137,27 @@ inline std::vector<double> numbers_of(const PoseEstimate& e) {
   append(e.bias_covariance);
   return all;
 }
+
+/// Squared error of position over its stated covariance: 2 degrees of freedom.
+inline double nees(const PoseEstimate& estimate, const Pose2& truth) {
+  const Eigen::Vector2d error = position_error(estimate, truth);
+  return error.dot(estimate.covariance.topLeftCorner<2, 2>().inverse() * error);
+}
+
+inline bool all_finite(const PoseEstimate& estimate) {
+  const std::vector<double> numbers = numbers_of(estimate);
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Root of the mean square error of position.
+class RootMeanSquare {
+ public:
+  void add(const Eigen::Vector2d& error) { sum_ += error.squaredNorm(), ++count_; }
+  [[nodiscard]] double value() const { return std::sqrt(sum_ / count_); }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
 
 }  // namespace multipath_localization

@@ -15,7 +15,8 @@ struct DominantCluster {
       Eigen::Matrix2d::Zero();  ///< all hypotheses about the mean [m^2]
 };
 
-/// Finds it: of hypotheses spread evenly over the weight, the one with the most weight within its reach.
+/// Finds it: of the heaviest hypotheses, the one with the most weight within its reach; where that is not
+/// half of all, others are tried as well, spread evenly over the weight.
 DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles);
 
 }  // namespace multipath_localization
