@@ -52,53 +52,71 @@ double FixModes::heading_restart_probability(const Belief& belief) const {
   return chance(interval_.heading_restart_rate, interval_.duration);
 }
 
-FixCandidates FixModes::candidates(const FixMode& mode, const Belief& belief) const {
+FixCandidates FixModes::always_shadow(const FixMode& mode) const {
+  FixCandidates one{};
+  one[0] = base(mode, {true, true, false});
+  one[0].keeps_bias = true;
+  one[0].prior = 1.0;
+  return one;
+}
+
+FixModes::Transition FixModes::transition(const FixMode& mode) const {
   const ReceiverClass& c = receiver_;
   const double dt = interval_.duration;
-  if (c.always_shadow) {
-    FixCandidates one{};
-    one[0] = base(mode, {true, true, false});
-    one[0].keeps_bias = true;
-    one[0].prior = 1.0;
-    return one;
-  }
   const double shadow_dt = interval_.moving ? dt : kStandingRateFactor * dt;
-  const double into_shadow =
-      mode.shadow ? 1.0 - chance(c.shadow_exit_rate, shadow_dt) : chance(c.shadow_entry_rate, shadow_dt);
-  const double open_noisy =
-      mode.noisy ? 1.0 - chance(c.open_noisy_exit_rate, dt) : chance(c.open_noisy_entry_rate, dt);
-  const double shadow_noisy =
-      mode.noisy ? 1.0 - chance(c.shadow_noisy_exit_rate, dt) : chance(c.shadow_noisy_entry_rate, dt);
+  Transition to;
+  if (mode.shadow) {
+    to.shadow = 1.0 - chance(c.shadow_exit_rate, shadow_dt);
+  } else {
+    to.shadow = chance(c.shadow_entry_rate, shadow_dt);
+  }
+  if (mode.noisy) {
+    to.noisy_if_open = 1.0 - chance(c.open_noisy_exit_rate, dt);
+    to.noisy_if_shadow = 1.0 - chance(c.shadow_noisy_exit_rate, dt);
+  } else {
+    to.noisy_if_open = chance(c.open_noisy_entry_rate, dt);
+    to.noisy_if_shadow = chance(c.shadow_noisy_entry_rate, dt);
+  }
+  return to;
+}
 
-  const bool may_slip = interval_.moving && dt < kMaxSlipInterval && c.slip_rate > 0.0;
-  const double slip = !may_slip       ? 0.0
-                      : mode.slipping ? std::exp(-dt * interval_.slip_end_rate)
-                                      : chance(c.slip_rate, dt);
-  const double position = interval_.moving ? chance(interval_.position_restart_rate, dt) : 0.0;
+double FixModes::slip_probability(const FixMode& mode) const {
+  const double dt = interval_.duration;
+  if (!interval_.moving || dt >= kMaxSlipInterval || receiver_.slip_rate <= 0.0) return 0.0;
+  return mode.slipping ? std::exp(-dt * interval_.slip_end_rate) : chance(receiver_.slip_rate, dt);
+}
+
+FixCandidates FixModes::candidates(const FixMode& mode, const Belief& belief) const {
+  const ReceiverClass& c = receiver_;
+  if (c.always_shadow) return always_shadow(mode);
+  const Transition to = transition(mode);
+  const double slip = slip_probability(mode);
+  const double position =
+      interval_.moving ? chance(interval_.position_restart_rate, interval_.duration) : 0.0;
   const double heading = interval_.moving ? heading_restart_probability(belief) : 0.0;
   const double usual = std::max(1e-9, 1.0 - c.outlier_probability - position - heading - slip);
 
   FixCandidates all{};
   all[0] = base(mode, {false, false, false});
-  all[0].prior = usual * (1.0 - into_shadow) * (1.0 - open_noisy);
+  all[0].prior = usual * (1.0 - to.shadow) * (1.0 - to.noisy_if_open);
   all[1] = base(mode, {false, true, false});
-  all[1].prior = usual * (1.0 - into_shadow) * open_noisy;
+  all[1].prior = usual * (1.0 - to.shadow) * to.noisy_if_open;
   all[2] = base(mode, {true, false, false});
-  all[2].prior = usual * into_shadow * (1.0 - shadow_noisy);
+  all[2].prior = usual * to.shadow * (1.0 - to.noisy_if_shadow);
   all[3] = base(mode, {true, true, false});
-  all[3].prior = usual * into_shadow * shadow_noisy;
+  all[3].prior = usual * to.shadow * to.noisy_if_shadow;
   all[4] = base(mode, {mode.shadow, false, true});
-  all[4].prior = slip * (mode.shadow ? into_shadow : 1.0 - into_shadow);
+  all[4].prior = slip * (mode.shadow ? to.shadow : 1.0 - to.shadow);
   all[5] = base(mode, mode);
   all[5].mode.slipping = false;
   all[5].outlier = true;
   all[5].fix_variance = square(c.outlier_sigma);
   all[5].prior = c.outlier_probability;
-  for (const std::size_t i : {std::size_t{6}, std::size_t{7}}) {
-    all[i] = base({true, false, false}, {false, false, false});
-    all[i].restart = i == 6 ? Restart::kPosition : Restart::kHeading;
-    all[i].prior = i == 6 ? position : heading;
-  }
+  all[6] = all[7] = base({true, false, false}, {false, false, false});
+  all[6].restart = Restart::kPosition;
+  all[6].prior = position;
+  all[7].restart = Restart::kHeading;
+  all[7].prior = heading;
   return all;
 }
 

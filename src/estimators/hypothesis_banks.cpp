@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace multipath_localization {
 
@@ -63,6 +64,65 @@ void append_resampled(const Bank& bank, std::size_t count, const std::vector<Bel
   }
 }
 
+using Banks = std::array<Bank, kReceiverClassCount>;
+
+/// Weight that passes between classes in one step.
+struct ClassFlow {
+  std::array<PerClass, kReceiverClassCount> between{};  ///< [from][to]
+  PerClass received{};
+  PerClass after{};
+
+  ClassFlow(const PerClass& before, const Banks& banks, const ReceiverClasses& classes, double dt)
+      : after(before) {
+    for (std::size_t from = 0; from < kReceiverClassCount; ++from) {
+      for (std::size_t to = 0; to < kReceiverClassCount; ++to) {
+        if (from == to || banks[to].members.empty()) continue;
+        between[from][to] = before[from] * (1.0 - std::exp(-classes[to].entry_rate * dt));
+        after[from] -= between[from][to];
+        after[to] += between[from][to];
+        received[to] += between[from][to];
+      }
+    }
+  }
+
+  /// Draws the class that a newcomer to `to` comes from.
+  [[nodiscard]] std::size_t giver(std::size_t to, double u) const {
+    double share = u * received[to];
+    std::size_t from = 0;
+    for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
+      if (between[k][to] <= 0.0) continue;
+      from = k;
+      share -= between[k][to];
+      if (share < 0.0) break;
+    }
+    return from;
+  }
+};
+
+/// Scales the weights of these members to this sum.
+void scale_to(double total, const std::vector<std::size_t>& members, std::vector<BeliefParticle>& particles) {
+  double sum = 0.0;
+  for (const std::size_t i : members) sum += particles[i].weight;
+  for (const std::size_t i : members) particles[i].weight *= total / sum;
+}
+
+/// Which banks have too few effective members; nothing when no bank is due for resampling or resizing.
+std::optional<std::array<bool, kReceiverClassCount>> depleted_banks(
+    const Banks& banks, const ClassCounts& counts, const std::vector<BeliefParticle>& particles,
+    double ess_fraction) {
+  const double tolerance = kCountTolerance * static_cast<double>(particles.size());
+  std::array<bool, kReceiverClassCount> depleted{};
+  bool due = false;
+  for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
+    if (banks[k].members.empty()) continue;
+    const auto size = static_cast<double>(banks[k].members.size());
+    depleted[k] = effective_size(banks[k], particles) < ess_fraction * size;
+    due = due || depleted[k] || std::abs(static_cast<double>(counts[k]) - size) > tolerance;
+  }
+  if (!due) return std::nullopt;
+  return depleted;
+}
+
 }  // namespace
 
 PerClass class_weights(const std::vector<BeliefParticle>& particles) {
@@ -91,43 +151,23 @@ ClassCounts class_counts(const PerClass& weights, std::size_t count, double floo
 void mix_classes(std::vector<BeliefParticle>& particles, const ReceiverClasses& classes, double dt,
                  RandomStream& random) {
   const auto banks = banks_of(particles);
-  const PerClass before = class_weights(particles);
-  std::array<PerClass, kReceiverClassCount> flow{};
-  PerClass after = before;
-  PerClass received{};
-  for (std::size_t from = 0; from < kReceiverClassCount; ++from) {
-    for (std::size_t to = 0; to < kReceiverClassCount; ++to) {
-      if (from == to || banks[to].members.empty()) continue;
-      flow[from][to] = before[from] * (1.0 - std::exp(-classes[to].entry_rate * dt));
-      after[from] -= flow[from][to];
-      after[to] += flow[from][to];
-      received[to] += flow[from][to];
-    }
-  }
+  const ClassFlow flow(class_weights(particles), banks, classes, dt);
   const std::vector<BeliefParticle> old = particles;
   for (std::size_t to = 0; to < kReceiverClassCount; ++to) {
     const std::vector<std::size_t>& members = banks[to].members;
-    if (members.empty() || after[to] <= 0.0) continue;
+    if (members.empty() || flow.after[to] <= 0.0) continue;
     const auto size = static_cast<double>(members.size());
-    const auto newcomers = static_cast<std::size_t>(received[to] / after[to] * size + random.uniform());
+    const auto newcomers =
+        static_cast<std::size_t>(flow.received[to] / flow.after[to] * size + random.uniform());
     for (std::size_t n = 0; n < newcomers; ++n) {
       const auto victim = members[static_cast<std::size_t>(random.uniform() * size)];
-      double share = random.uniform() * received[to];
-      std::size_t from = 0;
-      for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
-        if (flow[k][to] <= 0.0) continue;
-        from = k;
-        share -= flow[k][to];
-        if (share < 0.0) break;
-      }
-      if (flow[from][to] <= 0.0) continue;
+      const std::size_t from = flow.giver(to, random.uniform());
+      if (flow.between[from][to] <= 0.0) continue;
       const std::size_t parent = banks[from].members[draw(banks[from].cumulative, random.uniform())];
       particles[victim] = converted(old[parent], to, classes[to], random);
-      particles[victim].weight = after[to] / size;
+      particles[victim].weight = flow.after[to] / size;
     }
-    double sum = 0.0;
-    for (const std::size_t i : members) sum += particles[i].weight;
-    for (const std::size_t i : members) particles[i].weight *= after[to] / sum;
+    scale_to(flow.after[to], members, particles);
   }
 }
 
@@ -164,22 +204,14 @@ void resample_banks(std::vector<BeliefParticle>& particles, double floor, double
                     RandomStream& random) {
   const auto banks = banks_of(particles);
   const ClassCounts counts = class_counts(class_weights(particles), particles.size(), floor);
-  const double tolerance = kCountTolerance * static_cast<double>(particles.size());
-  std::array<bool, kReceiverClassCount> depleted{};
-  bool due = false;
-  for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
-    if (banks[k].members.empty()) continue;
-    const auto size = static_cast<double>(banks[k].members.size());
-    depleted[k] = effective_size(banks[k], particles) < ess_fraction * size;
-    due = due || depleted[k] || std::abs(static_cast<double>(counts[k]) - size) > tolerance;
-  }
-  if (!due) return;
+  const auto depleted = depleted_banks(banks, counts, particles, ess_fraction);
+  if (!depleted) return;
   std::vector<BeliefParticle> next;
   next.reserve(particles.size());
   for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
     const double u = random.uniform();
     if (counts[k] == 0) continue;
-    if (counts[k] == banks[k].members.size() && !depleted[k]) {
+    if (counts[k] == banks[k].members.size() && !(*depleted)[k]) {
       for (const std::size_t i : banks[k].members) next.push_back(particles[i]);
     } else {
       append_resampled(banks[k], counts[k], particles, u, next);

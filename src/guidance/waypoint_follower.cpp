@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -16,9 +17,10 @@ double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x());
 
 std::string old_pose(double age) {
   if (!std::isfinite(age)) return "no pose yet";
-  char text[64];
-  std::snprintf(text, sizeof(text), age > 0.0 ? "pose is %.1f s old" : "pose is %.1f s ahead", std::abs(age));
-  return text;
+  std::ostringstream text;
+  text << "pose is " << std::fixed << std::setprecision(1) << std::abs(age)
+       << (age > 0.0 ? " s old" : " s ahead");
+  return text.str();
 }
 
 }  // namespace

@@ -64,6 +64,16 @@ class FixModes {
              const Eigen::Vector2d& antenna_in_base, const OdometryNoise& odometry, Belief& belief) const;
 
  private:
+  /// Probabilities of the modes to come.
+  struct Transition {
+    double shadow = 0.0;
+    double noisy_if_open = 0.0;
+    double noisy_if_shadow = 0.0;
+  };
+
+  [[nodiscard]] FixCandidates always_shadow(const FixMode& mode) const;
+  [[nodiscard]] Transition transition(const FixMode& mode) const;
+  [[nodiscard]] double slip_probability(const FixMode& mode) const;
   [[nodiscard]] FixCandidate base(const FixMode& from, const FixMode& to) const;
   [[nodiscard]] double heading_restart_probability(const Belief& belief) const;
   [[nodiscard]] Eigen::Matrix2d extra_position_covariance(const FixCandidate& candidate, double yaw) const;
