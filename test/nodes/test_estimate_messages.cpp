@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "good_fix.hpp"
 #include "nodes/estimate_messages.hpp"
 
 namespace multipath_localization {
@@ -10,24 +11,6 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-const LocalFrame& berlin() {
-  static const LocalFrame frame(Geodetic{52.5, 13.4, 40.0});
-  return frame;
-}
-
-sensor_msgs::NavSatFix good_fix() {
-  sensor_msgs::NavSatFix fix;
-  fix.header.stamp = ros::Time(100, 500000000);
-  fix.header.frame_id = "gps";
-  fix.status.status = 0;
-  fix.latitude = 52.501;
-  fix.longitude = 13.402;
-  fix.altitude = 45.0;
-  fix.position_covariance = {4.0, 1.0, 0.0, 1.0, 9.0, 0.0, 0.0, 0.0, 16.0};
-  fix.position_covariance_type = 3;
-  return fix;
-}
 
 PoseEstimate some_estimate() {
   PoseEstimate estimate;
