@@ -20,6 +20,10 @@ std::string_view to_string(Reason reason) {
     case Reason::kNotStarted: return "not started";
     case Reason::kInvalidFrame: return "invalid frame";
     case Reason::kTooFast: return "too fast";
+    case Reason::kTooFewSatellites: return "too few satellites";
+    case Reason::kWrongBaseline: return "wrong baseline";
+    case Reason::kTooManySatellites: return "too many satellites";
+    case Reason::kUnpaired: return "unpaired";
   }
   return "unknown";
 }

@@ -16,8 +16,28 @@ Pose2 displacement(const OdometryIncrement& increment) {
   return {chord * std::cos(0.5 * turn), chord * std::sin(0.5 * turn), wrap_angle(turn)};
 }
 
+namespace {
+
+void carry(GnssFix& fix, const Pose2& then) { fix.antenna_in_base = then * fix.antenna_in_base; }
+
+void carry(DualAntennaFix& fixes, const Pose2& then) {
+  carry(fixes.left, then);
+  carry(fixes.right, then);
+}
+
+void carry(PseudorangeEpoch& epoch, const Pose2& then) {
+  epoch.antenna_in_base = then * epoch.antenna_in_base;
+}
+
+}  // namespace
+
 double stamp_of(const Measurement& measurement) {
   return std::visit([](const auto& m) { return m.stamp; }, measurement);
+}
+
+Measurement carried_back(Measurement measurement, const Pose2& base_then_in_base_now) {
+  std::visit([&](auto& m) { carry(m, base_then_in_base_now); }, measurement);
+  return measurement;
 }
 
 }  // namespace multipath_localization

@@ -82,6 +82,64 @@ TEST(LocalFrame, HasNoStepAtAnEdgeOfAUtmZone) { expect_even_steps(50.0, 6.0); }
 
 TEST(LocalFrame, HasNoStepAtTheAntimeridian) { expect_even_steps(-17.0, 180.0); }
 
+const std::vector<Eigen::Vector3d> kSatellites = {
+    {14567933.9, 2809851.0, 21875628.1}, {14056711.1, 22357508.0, 4819715.6}, {-9.0e6, 1.2e7, 2.1e7}};
+
+TEST(LocalFrame, SatelliteRangesAreThoseWithSagnacsTerm) {
+  for (const Geodetic& datum : {kDatums[1], kDatums[0]}) {
+    const LocalFrame frame(datum);
+    for (const Eigen::Vector3d& satellite : kSatellites) {
+      for (const Eigen::Vector3d& receiver_in_map :
+           {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(700.0, -700.0, 20.0)}) {
+        const Eigen::Vector3d origin = frame.satellite_to_ecef(Eigen::Vector3d::Zero());
+        const Eigen::Vector3d receiver = origin + frame.vector_to_ecef(receiver_in_map);
+        const double sagnac = kEarthRotationRate / kSpeedOfLight *
+                              (satellite.x() * receiver.y() - satellite.y() * receiver.x());
+        const double range = (satellite - receiver).norm() + sagnac;
+        EXPECT_NEAR((frame.satellite_to_map(satellite) - receiver_in_map).norm(), range, 0.01);
+      }
+    }
+  }
+}
+
+TEST(LocalFrame, SatelliteRoundTripReturnsThePosition) {
+  for (const Geodetic& datum : kDatums) {
+    const LocalFrame frame(datum);
+    for (const Eigen::Vector3d& satellite : kSatellites) {
+      EXPECT_LT((frame.satellite_to_ecef(frame.satellite_to_map(satellite)) - satellite).norm(), 1e-4);
+    }
+  }
+}
+
+TEST(LocalFrame, SatelliteVelocitiesAreThoseOfTheirRangesWithSagnacsTerm) {
+  const LocalFrame frame(kDatums[1]);
+  const Eigen::Vector3d receiver = frame.satellite_to_ecef(Eigen::Vector3d::Zero());
+  const Eigen::Vector3d velocity(1200.0, -2500.0, 900.0);
+  for (const Eigen::Vector3d& satellite : kSatellites) {
+    const double sagnac =
+        kEarthRotationRate / kSpeedOfLight * (velocity.x() * receiver.y() - velocity.y() * receiver.x());
+    const double rate = (satellite - receiver).normalized().dot(velocity) + sagnac;
+    const Eigen::Vector3d direction = frame.satellite_to_map(satellite).normalized();
+    const Eigen::Vector3d in_map = frame.satellite_velocity_to_map(satellite, velocity);
+    EXPECT_NEAR(in_map.dot(direction), rate, 2e-4);
+    EXPECT_LT((frame.satellite_velocity_to_ecef(frame.satellite_to_map(satellite), in_map) - velocity).norm(),
+              1e-6);
+  }
+}
+
+TEST(LocalFrame, VectorsPointTheirWay) {
+  const LocalFrame frame({0.0, 90.0, 0.0});
+  EXPECT_LT((frame.vector_to_map({-1.0, 2.0, 3.0}) - Eigen::Vector3d(1.0, 3.0, 2.0)).norm(), 1e-12);
+  EXPECT_LT((frame.vector_to_ecef({1.0, 3.0, 2.0}) - Eigen::Vector3d(-1.0, 2.0, 3.0)).norm(), 1e-12);
+}
+
+TEST(Geodetic, OfAPointOnTheEquator) {
+  const Geodetic point = to_geodetic(Eigen::Vector3d(0.0, 6378137.0 + 100.0, 0.0));
+  EXPECT_NEAR(point.latitude_deg, 0.0, 1e-12);
+  EXPECT_NEAR(point.longitude_deg, 90.0, 1e-12);
+  EXPECT_NEAR(point.altitude, 100.0, 1e-6);
+}
+
 TEST(Geodetic, IsValidUpToThePolesWithAnyAltitude) {
   EXPECT_TRUE(valid({90.0, 180.0, 0.0}));
   EXPECT_TRUE(valid({-90.0, -180.0, kNan}));

@@ -62,6 +62,39 @@ TEST(Measurement, KnowsItsStamp) {
   GnssFix fix;
   fix.stamp = 12.5;
   EXPECT_EQ(stamp_of(fix), 12.5);
+  DualAntennaFix fixes;
+  fixes.stamp = 13.5;
+  EXPECT_EQ(stamp_of(fixes), 13.5);
+  PseudorangeEpoch epoch;
+  epoch.stamp = 14.5;
+  EXPECT_EQ(stamp_of(epoch), 14.5);
+}
+
+TEST(Measurement, CarriedBackHasItsAntennasWhereTheyWere) {
+  const Pose2 then{-2.0, 0.5, -kPi / 2.0};
+  const Eigen::Vector2d ahead(0.3, 0.0);
+  const Eigen::Vector2d carried(-2.0, 0.2);
+  GnssFix fix;
+  fix.antenna_in_base = ahead;
+  EXPECT_LT((std::get<GnssFix>(carried_back(fix, then)).antenna_in_base - carried).norm(), 1e-12);
+  PseudorangeEpoch epoch;
+  epoch.antenna_in_base = ahead;
+  EXPECT_LT((std::get<PseudorangeEpoch>(carried_back(epoch, then)).antenna_in_base - carried).norm(), 1e-12);
+  DualAntennaFix fixes;
+  fixes.left.antenna_in_base = {0.0, 0.15};
+  fixes.right = fix;
+  const auto back = std::get<DualAntennaFix>(carried_back(fixes, then));
+  EXPECT_LT((back.left.antenna_in_base - Eigen::Vector2d(-1.85, 0.5)).norm(), 1e-12);
+  EXPECT_LT((back.right.antenna_in_base - carried).norm(), 1e-12);
+}
+
+TEST(SatelliteObservation, HasDopplerOnlyWithRangeRateAndVelocity) {
+  SatelliteObservation observation;
+  EXPECT_FALSE(observation.has_doppler());
+  observation.range_rate = 10.0;
+  EXPECT_FALSE(observation.has_doppler());
+  observation.velocity = {1.0, 2.0, 3.0};
+  EXPECT_TRUE(observation.has_doppler());
 }
 
 }  // namespace

@@ -23,6 +23,10 @@ enum class Reason {
   kNotStarted,         ///< no odometry yet
   kInvalidFrame,       ///< frame unknown to tf, or not one this input may have
   kTooFast,            ///< speed or yaw rate no robot of this kind reaches
+  kTooFewSatellites,   ///< no usable observation, or too few for what the estimator needs
+  kWrongBaseline,      ///< two antennas seen at another distance than they are mounted at
+  kTooManySatellites,  ///< more than any receiver tracks
+  kUnpaired,           ///< a fix of one of two antennas without one of the other at its time
 };
 
 /// "accepted", "not finite", ...: one stable text per reason.
@@ -33,7 +37,7 @@ struct Innovation {
   Reason reason = Reason::kUnused;
   Eigen::Vector2d innovation = Eigen::Vector2d::Zero();  ///< measured - predicted antenna, map frame [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< predicted covariance S of it [m^2]
-  double nis = 0.0;                                      ///< normalised innovation squared, 2 dof
+  double nis = 0.0;  ///< normalised innovation squared; dof: 2 of a fix, 3 of a pair
 
   [[nodiscard]] bool accepted() const { return reason == Reason::kAccepted; }
 };

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 #include <variant>
+#include <vector>
 
+#include "multipath_localization/core/constellation.hpp"
 #include "multipath_localization/core/pose.hpp"
 
 namespace multipath_localization {
@@ -27,9 +31,47 @@ struct GnssFix {
   Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
 };
 
+/// Two fixes of one instant from antennas on one base; their lever arms tell which is where, Fig. 1 of [KAM].
+struct DualAntennaFix {
+  double stamp = 0.0;  ///< [s]
+  GnssFix left;
+  GnssFix right;
+};
+
+/// What a receiver measured of one satellite.
+struct SatelliteObservation {
+  Constellation constellation = Constellation::kGps;
+  int satellite = 0;         ///< number within the constellation
+  double pseudorange = 0.0;  ///< without satellite clock, ionosphere and troposphere, Eq. (3) of [SUZ] [m]
+  double range_rate = kUnknown;  ///< by Doppler, without satellite clock drift [m/s]; NaN: not measured
+  double cn0 = kUnknown;         ///< carrier to noise density ratio [dB-Hz]; NaN: not told
+  double elevation = 0.0;        ///< above the horizon [rad]
+  double sigma = 5.0;            ///< of the pseudorange, as declared [m]
+  /// Satellite at transmission, in map, the Earth's rotation during the flight undone (LocalFrame), so that
+  /// the range is the plain distance: C x of Eq. (4) of [SUZ]. East, north, up [m].
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(kUnknown);  ///< in map [m/s]; NaN: not known
+
+  /// Whether range rate and velocity are there.
+  [[nodiscard]] bool has_doppler() const { return std::isfinite(range_rate) && velocity.allFinite(); }
+
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// All that a receiver measured at one instant.
+struct PseudorangeEpoch {
+  double stamp = 0.0;  ///< time of measurement [s]
+  std::vector<SatelliteObservation> observations;
+  Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
+};
+
 /// What an estimator can be updated with.
-using Measurement = std::variant<GnssFix>;
+using Measurement = std::variant<GnssFix, DualAntennaFix, PseudorangeEpoch>;
 
 double stamp_of(const Measurement& measurement);
+
+/// The measurement as if its antennas sat on the base of now, their lever arms carried back to where they
+/// were: what was measured at `base_then_in_base_now` then constrains the pose of now.
+Measurement carried_back(Measurement measurement, const Pose2& base_then_in_base_now);
 
 }  // namespace multipath_localization
