@@ -21,7 +21,8 @@ Matrix transition(double dt);
 /// past.
 Matrix process_noise(double q, double dt);
 
-/// The 2 x 4 observation of Eq. (15). Departs: [NIS] prints its transpose in Eqs. (15), (18), (20).
+/// The 2 x 4 observation of Eq. (15). Departs: [NIS] prints its transpose in Eqs. (15), (18), (20);
+/// [NISJ] prints it as it is here, but A transposed, which would add positions to rates.
 Eigen::Matrix<double, 2, 4> observation();
 
 /// (x, y) of eta.
