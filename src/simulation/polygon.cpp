@@ -23,14 +23,6 @@ double doubled_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Ei
   return cross(b - a, c - a);
 }
 
-bool counter_clockwise(const std::vector<Eigen::Vector2d>& corners) {
-  double doubled = 0.0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    doubled += cross(corners[i], corners[(i + 1) % corners.size()]);
-  }
-  return doubled > 0.0;
-}
-
 /// Whether the triangle at corner `i` of a counter-clockwise outline can be cut off.
 bool is_ear(const std::vector<Eigen::Vector2d>& outline, std::size_t i) {
   const std::size_t n = outline.size();
@@ -76,9 +68,17 @@ double Polygon::depth(const Eigen::Vector2d& point) const {
   return contains(point) ? nearest : -nearest;
 }
 
+bool Polygon::counter_clockwise() const {
+  double doubled = 0.0;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    doubled += cross(corners_[i], corners_[(i + 1) % corners_.size()]);
+  }
+  return doubled > 0.0;
+}
+
 std::vector<Eigen::Vector2d> Polygon::triangles() const {
   std::vector<Eigen::Vector2d> outline = corners_;
-  if (!counter_clockwise(outline)) std::reverse(outline.begin(), outline.end());
+  if (!counter_clockwise()) std::reverse(outline.begin(), outline.end());
   std::vector<Eigen::Vector2d> all;
   while (outline.size() >= 3) {
     const std::size_t n = outline.size();

@@ -22,12 +22,21 @@ void OutageParameters::fields(ParameterVisitor& field) {
   field("duration", duration, {0.0, 1e9}, "s", "for this long");
 }
 
+bool outage_at(const std::vector<OutageParameters>& outages, double time) {
+  return std::any_of(outages.begin(), outages.end(), [time](const OutageParameters& outage) {
+    return time >= outage.start && time < outage.start + outage.duration;
+  });
+}
+
 void ReceiverParameters::fields(ParameterVisitor& field) {
-  field("rate", rate, {0.01, 1e4}, "Hz", "of fixes, at most one per simulation step");
+  field("source", source, {"zones", "satellites"},
+        "of the errors of a fix: zones and the noise below, or the satellites it is computed from");
+  field("rate", rate, {0.0, 1e4}, "Hz", "of fixes, at most one per simulation step; 0: none");
   field("latency", latency, {0.0, 60.0}, "s", "from measurement to delivery");
   field("latency_jitter", latency_jitter, {0.0, 60.0}, "s", "added to it at most, uniformly");
   field("antenna_x", antenna_x, {-100.0, 100.0}, "m", "antenna in base, forwards");
   field("antenna_y", antenna_y, {-100.0, 100.0}, "m", "antenna in base, to the left");
+  field("antenna_z", antenna_z, {0.0, 100.0}, "m", "satellites: antenna above the ground");
   field("sigma_open", sigma_open, {0.0, 1e3}, "m", "white noise of each component under open sky");
   field("sigma_shadow", sigma_shadow, {0.0, 1e3}, "m", "white noise of each component in a zone");
   field("coloured_sigma", coloured_sigma, {0.0, 1e3}, "m",
@@ -47,12 +56,6 @@ Receiver::Receiver(const ReceiverParameters& parameters, const std::vector<Outag
 
 Eigen::Vector2d Receiver::antenna_in_base() const { return {parameters_.antenna_x, parameters_.antenna_y}; }
 
-bool Receiver::outage(double time) const {
-  return std::any_of(outages_.begin(), outages_.end(), [time](const OutageParameters& outage) {
-    return time >= outage.start && time < outage.start + outage.duration;
-  });
-}
-
 void Receiver::measure(const Pose2& base_in_map, const Reception& reception, double time) {
   RandomStream random(seed_, steps_, kReceiverNoiseStream);
   const double sigma = reception.in_shadow ? parameters_.sigma_shadow : parameters_.sigma_open;
@@ -60,8 +63,8 @@ void Receiver::measure(const Pose2& base_in_map, const Reception& reception, dou
       reception.in_shadow ? parameters_.declared_sigma_shadow : parameters_.declared_sigma_open;
   GnssFix fix;
   fix.stamp = time;
-  fix.position =
-      base_in_map * antenna_in_base() + reception.bias + coloured_ + normal2(random, sigma);  // Eq. (9)
+  fix.position = base_in_map * antenna_in_base() + reception.bias + coloured_ +
+                 normal2(random, sigma);  // Eq. (9) of [NIS]
   fix.covariance = declared * declared * Eigen::Matrix2d::Identity();
   fix.antenna_in_base = antenna_in_base();
   const double late = parameters_.latency + parameters_.latency_jitter * random.uniform();
@@ -76,7 +79,7 @@ std::vector<GnssFix> Receiver::step(const Pose2& base_in_map, const Reception& r
   coloured_ = kept * coloured_ + normal2(random, parameters_.coloured_sigma * std::sqrt(1.0 - kept * kept));
 
   const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
-  if (due > emitted_ && !outage(time)) measure(base_in_map, reception, time);
+  if (due > emitted_ && !outage_at(outages_, time)) measure(base_in_map, reception, time);
   emitted_ = due;
 
   std::vector<GnssFix> delivered;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/measurements.hpp"
-#include "multipath_localization/core/random.hpp"
+#include "multipath_localization/models/differential_drive.hpp"
 #include "multipath_localization/simulation/streams.hpp"
 
 namespace multipath_localization {
@@ -19,7 +19,11 @@ double approach(double value, double goal, double step) {
 }  // namespace
 
 void RobotParameters::fields(ParameterVisitor& field) {
-  field("wheelbase", wheelbase, {0.01, 100.0}, "m", "l of [NIS], front to rear axle");
+  field(
+      "drive", drive, {"steering", "differential"},
+      "steering: a front wheel, its noise by alpha; differential: two driven wheels, theirs by wheel_noise");
+  field("wheelbase", wheelbase, {0.01, 100.0}, "m",
+        "l of [NIS], front to rear axle; differential: makes a yaw rate of the steering angle");
   field("start_x", start_x, {-1e6, 1e6}, "m", "start in map, east");
   field("start_y", start_y, {-1e6, 1e6}, "m", "start in map, north");
   field("start_yaw", start_yaw, {-2.0 * kPi, 2.0 * kPi}, "rad", "start heading, counter-clockwise from east");
@@ -31,6 +35,9 @@ void RobotParameters::fields(ParameterVisitor& field) {
         "alpha1 ... alpha6 of Eqs. (5)-(7) of [NIS], noise of every step");
   field("noise_scale", noise_scale, {0.0, 1e3}, "1",
         "factor on all alpha: printed as they are they turn the front wheel by 17 rad at 10 m/s");
+  field("wheel_separation", wheel_separation, {0.01, 100.0}, "m", "differential: B of [KAM]");
+  field("wheel_noise", wheel_noise, {0.0, 100.0}, "m/s",
+        "differential: of either wheel over the ground, drawn every step; Table 2 of [KAM] has 0.1, 0.3, 1");
 }
 
 Robot::Robot(const RobotParameters& parameters, std::uint64_t seed)
@@ -53,6 +60,14 @@ void Robot::limit(const MotionCommand& command, double duration) {
 void Robot::step(const MotionCommand& command, double duration) {
   limit(command, duration);
   RandomStream random(seed_, ++steps_, kRobotStream);
+  if (parameters_.drive == "differential") {
+    roll(random, duration);
+  } else {
+    steer(random, duration);
+  }
+}
+
+void Robot::steer(RandomStream& random, double duration) {
   const auto noise = [&](std::size_t first) {
     const double v = command_.speed;
     const double phi = command_.steering_angle;
@@ -64,14 +79,26 @@ void Robot::step(const MotionCommand& command, double duration) {
   // Departs from Eqs. (5)-(7) of [NIS], whose steering terms would push a parked robot about.
   if (command_.speed != 0.0) {
     moved.speed += noise(0);           // Eq. (5) of [NIS]
-    moved.steering_angle += noise(2);  // Eq. (6)
-    extra_turn = noise(4);             // Eq. (7)
+    moved.steering_angle += noise(2);  // Eq. (6) of [NIS]
+    extra_turn = noise(4);             // Eq. (7) of [NIS]
   }
   const double arc_rate = multipath_localization::yaw_rate(moved, parameters_.wheelbase);
-  pose_ = pose_ * displacement({0.0, duration, moved.speed, arc_rate});  // Eq. (8)
+  pose_ = pose_ * displacement({0.0, duration, moved.speed, arc_rate});  // Eq. (8) of [NIS]
   pose_.yaw = wrap_angle(pose_.yaw + extra_turn * duration);
   speed_ = moved.speed;
   yaw_rate_ = arc_rate + extra_turn;
+}
+
+void Robot::roll(RandomStream& random, double duration) {
+  const double turning = multipath_localization::yaw_rate(command_, parameters_.wheelbase);
+  WheelSpeeds wheels = wheel_speeds(command_.speed, turning, parameters_.wheel_separation);
+  if (command_.speed != 0.0) {
+    wheels.left += parameters_.wheel_noise * random.normal();
+    wheels.right += parameters_.wheel_noise * random.normal();
+  }
+  speed_ = multipath_localization::speed(wheels);
+  yaw_rate_ = multipath_localization::yaw_rate(wheels, parameters_.wheel_separation);
+  pose_ = pose_ * displacement({0.0, duration, speed_, yaw_rate_});
 }
 
 }  // namespace multipath_localization

@@ -1,23 +1,23 @@
 #include "multipath_localization/simulation/simulator.hpp"
 
-namespace multipath_localization {
+#include <utility>
 
-void BuildingParameters::fields(ParameterVisitor& field) {
-  field("name", name, {}, "what to call it");
-  field("corners", corners, {-1e6, 1e6}, "m", "x0, y0, x1, y1, ... in map");
-  field("height", height, {0.0, 1e4}, "m", "above the ground");
-}
+namespace multipath_localization {
 
 void SimulatorParameters::fields(ParameterVisitor& field) {
   field("time_step", time_step, {1e-4, 1.0}, "s", "Delta of [NIS]");
   field("datum_latitude_deg", datum_latitude_deg, {-90.0, 90.0}, "deg", "origin of the map, north");
   field("datum_longitude_deg", datum_longitude_deg, {-180.0, 180.0}, "deg", "origin of the map, east");
   field("datum_altitude", datum_altitude, {-1e4, 1e5}, "m", "origin of the map, above the ellipsoid");
-  field.group("robot", robot, "front-wheel steering, reference point in the middle of the rear axle");
+  field.group("robot", robot, "reference point in the middle of the rear or of the driven axle");
   field.group("odometer", odometer, "wheel odometry and gyro");
   field.group("receiver", receiver, "GNSS receiver");
+  field.group("dual_receiver", dual_receiver, "a pair of RTK receivers, to tell the heading too");
+  field.group("constellations", constellations, "satellites: those that fly");
+  field.group("sky", sky, "satellites: how their signals spread among the buildings");
+  field.group("raw_receiver", raw_receiver, "satellites: how the receiver tracks them");
   field.list("zones", zones, "regions in the shadow of buildings; of overlapping ones the first counts");
-  field.list("buildings", buildings, "drawn only");
+  field.list("buildings", buildings, "drawn; they stand in the way of satellites");
   field.list("outages", outages, "intervals without fixes");
 }
 
@@ -25,6 +25,7 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
     : parameters_(parameters),
       robot_(parameters.robot, seed),
       odometer_(parameters.odometer, seed),
+      dual_receiver_(parameters.dual_receiver, parameters.outages, seed),
       receiver_(parameters.receiver, parameters.outages, seed) {
   for (const ZoneParameters& zone : parameters_.zones) {
     zones_.emplace_back(zone, seed, static_cast<std::uint32_t>(zones_.size()));
@@ -32,15 +33,32 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
   for (const BuildingParameters& building : parameters_.buildings) {
     Polygon(building.corners, "building " + building.name);
   }
-  reception_ = reception();
+  if (parameters_.receiver.source == "satellites") {
+    SkyView sky(parameters_.sky, parameters_.buildings, seed);
+    RawReceiver raw(parameters_.raw_receiver, satellites(parameters_.constellations, seed), std::move(sky),
+                    LocalFrame(parameters_.datum()), seed);
+    satellite_receiver_.emplace(parameters_.receiver, parameters_.outages, std::move(raw), seed);
+  } else {
+    reception_ = reception(robot_.pose() * receiver_.antenna_in_base());
+  }
 }
 
-Reception Simulator::reception() const {
-  const Eigen::Vector2d antenna = robot_.pose() * receiver_.antenna_in_base();
+Reception Simulator::reception(const Eigen::Vector2d& antenna) const {
   for (const Zone& zone : zones_) {
     if (zone.depth(antenna) > 0.0) return {zone.bias(antenna), true};
   }
   return {};
+}
+
+std::vector<Measurement> Simulator::receive(double duration) {
+  if (satellite_receiver_) {
+    std::vector<Measurement> delivered = satellite_receiver_->step(robot_, time());
+    reception_ = satellite_receiver_->reception();
+    return delivered;
+  }
+  reception_ = reception(robot_.pose() * receiver_.antenna_in_base());
+  const std::vector<GnssFix> fixes = receiver_.step(robot_.pose(), reception_, time(), duration);
+  return {fixes.begin(), fixes.end()};
 }
 
 Readings Simulator::step(const MotionCommand& u) {
@@ -48,9 +66,14 @@ Readings Simulator::step(const MotionCommand& u) {
   const double duration = parameters_.time_step;
   for (Zone& zone : zones_) zone.step(duration);
   robot_.step(u, duration);
-  reception_ = reception();
-  return {odometer_.step(robot_, time(), duration),
-          receiver_.step(robot_.pose(), reception_, time(), duration)};
+  Readings readings;
+  readings.odometry = odometer_.step(robot_, time(), duration);
+  readings.measurements = receive(duration);
+  const auto bias_at = [this](const Eigen::Vector2d& point) { return reception(point).bias; };
+  for (const DualAntennaFix& fixes : dual_receiver_.step(robot_.pose(), bias_at, time())) {
+    readings.measurements.emplace_back(fixes);
+  }
+  return readings;
 }
 
 }  // namespace multipath_localization

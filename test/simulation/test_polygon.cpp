@@ -26,6 +26,11 @@ TEST(Polygon, DepthIsTheSignedDistanceToTheNearestEdge) {
   EXPECT_DOUBLE_EQ(l.depth({7.0, -4.0}), -5.0);
 }
 
+TEST(Polygon, KnowsItsSenseOfRotation) {
+  EXPECT_TRUE(Polygon(kL, "l").counter_clockwise());
+  EXPECT_FALSE(Polygon({0, 0, 0, 1, 1, 0}, "triangle").counter_clockwise());
+}
+
 TEST(Polygon, DoesNotCareForTheSenseOfRotation) {
   std::vector<double> reversed = kL;
   std::reverse(reversed.begin(), reversed.end());

@@ -94,6 +94,50 @@ TEST(Robot, StandsStillWhenParkedWithTheWheelTurned) {
   EXPECT_EQ(robot.pose().yaw, 0.0);
 }
 
+RobotParameters on_two_wheels() {
+  RobotParameters parameters = agile();
+  parameters.drive = "differential";
+  parameters.wheel_separation = 0.35;
+  return parameters;
+}
+
+TEST(Robot, OnTwoWheelsTurnsAsOneThatSteers) {
+  const MotionCommand u{2.0, std::atan(0.5)};
+  Robot rolling(on_two_wheels(), 1);
+  Robot steered(agile(), 1);
+  for (int i = 0; i < 300; ++i) {
+    rolling.step(u, 0.01);
+    steered.step(u, 0.01);
+  }
+  EXPECT_NEAR((rolling.pose().position() - steered.pose().position()).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(rolling.yaw_rate(), 1.0, 1e-12);
+}
+
+TEST(Robot, OnTwoWheelsStraysByTheNoiseOfEither) {  // Table 2 of [KAM]
+  RobotParameters parameters = on_two_wheels();
+  parameters.wheel_noise = 0.3;
+  Robot robot(parameters, 1);
+  const int steps = 8000;
+  double speed_squares = 0.0;
+  double yaw_rate_squares = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    robot.step({0.25, 0.0}, 0.01);
+    speed_squares += std::pow(robot.speed() - 0.25, 2);
+    yaw_rate_squares += std::pow(robot.yaw_rate(), 2);
+  }
+  EXPECT_NEAR(std::sqrt(speed_squares / steps), 0.3 / std::sqrt(2.0), 0.008);  // 4.5 sigma
+  EXPECT_NEAR(std::sqrt(yaw_rate_squares / steps), 0.3 * std::sqrt(2.0) / 0.35, 0.045);
+}
+
+TEST(Robot, OnTwoWheelsStandsStillWhenParked) {
+  RobotParameters parameters = on_two_wheels();
+  parameters.wheel_noise = 1.0;
+  Robot robot(parameters, 1);
+  for (int i = 0; i < 100; ++i) robot.step({0.0, 0.5}, 0.01);
+  EXPECT_EQ(robot.pose().position().norm(), 0.0);
+  EXPECT_EQ(robot.pose().yaw, 0.0);
+}
+
 TEST(Robot, NeedsSixNoiseConstants) {
   RobotParameters parameters;
   parameters.alpha = {3.0, 0.3};

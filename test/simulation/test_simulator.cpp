@@ -21,6 +21,14 @@ SimulatorParameters noisy() {
   return parameters;
 }
 
+std::vector<GnssFix> fixes_of(const Readings& readings) {
+  std::vector<GnssFix> fixes;
+  for (const Measurement& measurement : readings.measurements) {
+    if (const auto* fix = std::get_if<GnssFix>(&measurement)) fixes.push_back(*fix);
+  }
+  return fixes;
+}
+
 /// Everything a run gives, number by number.
 std::vector<double> run(const SimulatorParameters& parameters, std::uint64_t seed) {
   Simulator simulator(parameters, seed);
@@ -30,7 +38,7 @@ std::vector<double> run(const SimulatorParameters& parameters, std::uint64_t see
     all.insert(all.end(),
                {simulator.truth().x, simulator.truth().y, simulator.truth().yaw, simulator.bias().x()});
     if (readings.odometry) all.insert(all.end(), {readings.odometry->speed, readings.odometry->yaw_rate});
-    for (const GnssFix& fix : readings.fixes)
+    for (const GnssFix& fix : fixes_of(readings))
       all.insert(all.end(), {fix.stamp, fix.position.x(), fix.position.y()});
   }
   return all;
@@ -39,6 +47,32 @@ std::vector<double> run(const SimulatorParameters& parameters, std::uint64_t see
 TEST(Simulator, SameSeedSameBytes) {
   EXPECT_EQ(run(noisy(), 7), run(noisy(), 7));
   EXPECT_NE(run(noisy(), 7), run(noisy(), 8));
+}
+
+TEST(Simulator, APairOfAntennasDisturbsNothingElse) {
+  SimulatorParameters parameters = noisy();
+  parameters.dual_receiver.rate = 10.0;
+  EXPECT_EQ(run(parameters, 7), run(noisy(), 7));
+}
+
+TEST(Simulator, PairsOfFixesTellThePose) {
+  SimulatorParameters parameters;
+  parameters.dual_receiver.rate = 5.0;
+  parameters.receiver.rate = 0.0;
+  parameters.robot.start_yaw = 2.0;
+  Simulator simulator(parameters, 1);
+  int pairs = 0;
+  for (int i = 0; i < 1000; ++i) {
+    for (const Measurement& measurement : simulator.step({1.0, 0.1}).measurements) {
+      const auto* fixes = std::get_if<DualAntennaFix>(&measurement);
+      ASSERT_NE(fixes, nullptr);
+      const Eigen::Vector3d told = dual_antenna_pose(*fixes, 0.0)->pose;
+      EXPECT_LT((told.head<2>() - simulator.truth().position()).norm(), 0.1);
+      EXPECT_LT(std::abs(angle_difference(told.z(), simulator.truth().yaw)), 0.12);
+      ++pairs;
+    }
+  }
+  EXPECT_EQ(pairs, 50);
 }
 
 TEST(Simulator, TimeIsCountedInStepsWithoutDrift) {
@@ -78,7 +112,7 @@ TEST(Simulator, FixesCarryTheBiasOfWhereTheyWereTaken) {
   parameters.robot.start_x = -3.0;
   Simulator simulator(parameters, 1);
   std::vector<GnssFix> fixes;
-  while (fixes.empty()) fixes = simulator.step({}).fixes;
+  while (fixes.empty()) fixes = fixes_of(simulator.step({}));
   EXPECT_NEAR((fixes[0].position - Eigen::Vector2d(-6.0, 0.0)).norm(), 0.0, 1e-9);
 }
 
@@ -94,13 +128,62 @@ TEST(Simulator, StaysFiniteWhateverTheCommand) {
     if (readings.odometry) {
       ASSERT_TRUE(std::isfinite(readings.odometry->speed) && std::isfinite(readings.odometry->yaw_rate));
     }
-    for (const GnssFix& fix : readings.fixes) ASSERT_TRUE(fix.position.allFinite());
+    for (const GnssFix& fix : fixes_of(readings)) ASSERT_TRUE(fix.position.allFinite());
   }
+}
+
+/// A street between two houses.
+SimulatorParameters among_satellites() {
+  SimulatorParameters parameters = noisy();
+  parameters.receiver.source = "satellites";
+  parameters.buildings = {{"north", {-100, 10, 100, 10, 100, 30, -100, 30}, 40.0},
+                          {"south", {-100, -30, 100, -30, 100, -10, -100, -10}, 30.0}};
+  return parameters;
+}
+
+TEST(Simulator, BySatellitesItHandsOutPseudorangesAndFixes) {
+  SimulatorParameters parameters = among_satellites();
+  parameters.receiver.latency = parameters.receiver.latency_jitter = 0.0;
+  parameters.outages = {{4.0, 2.0}};
+  Simulator simulator(parameters, 1);
+  int epochs = 0;
+  int fixes = 0;
+  for (int i = 0; i < 1000; ++i) {
+    for (const Measurement& measurement : simulator.step({1.0, 0.0}).measurements) {
+      EXPECT_EQ(stamp_of(measurement), simulator.time());
+      EXPECT_FALSE(simulator.time() > 3.99 && simulator.time() < 5.99);
+      epochs += std::holds_alternative<PseudorangeEpoch>(measurement) ? 1 : 0;
+      const auto* fix = std::get_if<GnssFix>(&measurement);
+      if (fix == nullptr) continue;
+      ++fixes;
+      EXPECT_LT((fix->position - simulator.truth().position() - simulator.bias()).norm(), 1e-9);
+    }
+  }
+  EXPECT_EQ(epochs, 40);
+  EXPECT_EQ(fixes, 40);
+}
+
+TEST(Simulator, BySatellitesSameSeedSameBytes) {
+  EXPECT_EQ(run(among_satellites(), 7), run(among_satellites(), 7));
+  EXPECT_NE(run(among_satellites(), 7), run(among_satellites(), 8));
+}
+
+TEST(Simulator, ByZonesSatellitesAndBuildingsChangeNothing) {
+  SimulatorParameters parameters = noisy();
+  const std::vector<double> before = run(parameters, 7);
+  parameters.buildings = among_satellites().buildings;
+  parameters.constellations.epoch_spread = 1e5;
+  parameters.sky.reflection_loss_db = 20.0;
+  parameters.raw_receiver.code_noise = 9.0;
+  parameters.receiver.antenna_z = 5.0;
+  EXPECT_EQ(run(parameters, 7), before);
 }
 
 TEST(Simulator, RefusesABuildingWithoutCorners) {
   SimulatorParameters parameters;
   parameters.buildings.resize(1);
+  EXPECT_THROW(Simulator(parameters, 1), ParameterError);
+  parameters.receiver.source = "satellites";
   EXPECT_THROW(Simulator(parameters, 1), ParameterError);
 }
 

@@ -17,10 +17,19 @@ TEST(SimulationStream, GivesEachPartOfTheWorldItsOwnNumbersAndNoneOfAFilters) {
                                            kOdometerNoiseStream,
                                            kReceiverStream,
                                            kReceiverNoiseStream,
+                                           kDualReceiverStream,
                                            kZoneStream,
-                                           kZoneStream + 1U};
+                                           kZoneStream + 1U,
+                                           kConstellationStream,
+                                           kReceiverClockStream,
+                                           kReceiverLatencyStream,
+                                           kInterSystemStream,
+                                           kSatelliteStream,
+                                           kSatelliteStream + 1U,
+                                           kWallStream,
+                                           kWallStream + 1U};
   for (const std::uint32_t stream : streams) words.insert(RandomStream(1, 7, stream).word());
-  EXPECT_EQ(streams.size(), 9U);
+  EXPECT_EQ(streams.size(), 18U);
   EXPECT_EQ(words.size(), streams.size());
 }
 

@@ -20,6 +20,9 @@ class Polygon {
   /// Distance to the nearest edge [m], positive inside, negative outside.
   [[nodiscard]] double depth(const Eigen::Vector2d& point) const;
 
+  /// The sense of rotation of the corners.
+  [[nodiscard]] bool counter_clockwise() const;
+
   /// The area cut into triangles, three corners each, counter-clockwise; for drawing.
   [[nodiscard]] std::vector<Eigen::Vector2d> triangles() const;
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "multipath_localization/core/measurements.hpp"
@@ -18,12 +19,17 @@ struct OutageParameters {
   void fields(ParameterVisitor& field);
 };
 
+/// Whether one of the intervals holds `time` [s].
+bool outage_at(const std::vector<OutageParameters>& outages, double time);
+
 struct ReceiverParameters {
+  std::string source = "zones";
   double rate = 5.0;
   double latency = 0.0;
   double latency_jitter = 0.0;
   double antenna_x = 0.0;
   double antenna_y = 0.0;
+  double antenna_z = 1.5;
   double sigma_open = 0.3;
   double sigma_shadow = 1.0;
   double coloured_sigma = 0.0;
@@ -59,7 +65,6 @@ class Receiver {
     double time;
     GnssFix fix;
   };
-  [[nodiscard]] bool outage(double time) const;
   void measure(const Pose2& base_in_map, const Reception& reception, double time);
 
   ReceiverParameters parameters_;

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "multipath_localization/core/motion_command.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/pose.hpp"
+#include "multipath_localization/core/random.hpp"
 
 namespace multipath_localization {
 
 struct RobotParameters {
+  std::string drive = "steering";
   double wheelbase = 1.0;
   double start_x = 0.0;
   double start_y = 0.0;
@@ -20,12 +23,15 @@ struct RobotParameters {
   double max_steering_rate = 1.5;
   std::vector<double> alpha = {3.0, 0.3, 3.0, 0.3, 3.0, 0.3};
   double noise_scale = 0.0;
+  double wheel_separation = 0.35;
+  double wheel_noise = 0.0;
 
   void fields(ParameterVisitor& field);
 };
 
-/// A front-wheel-steering robot whose true motion strays from its command, Eqs. (3)-(8) of [NIS]. The
-/// reference point is the centre of the rear axle; the rear wheels do not slip sideways.
+/// A robot whose true motion strays from its command: one with front-wheel steering, Eqs. (3)-(8) of [NIS],
+/// or one with two driven wheels, section 4 of [KAM], which turns as that with the same command would. The
+/// reference point is the centre of the rear or driven axle, whose wheels do not slip sideways.
 class Robot {
  public:
   /// Throws ParameterError unless there are six noise constants.
@@ -44,6 +50,8 @@ class Robot {
 
  private:
   void limit(const MotionCommand& command, double duration);
+  void steer(RandomStream& random, double duration);
+  void roll(RandomStream& random, double duration);
 
   RobotParameters parameters_;
   std::uint64_t seed_;

@@ -3,25 +3,21 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "multipath_localization/core/geodesy.hpp"
+#include "multipath_localization/simulation/building.hpp"
+#include "multipath_localization/simulation/constellations.hpp"
+#include "multipath_localization/simulation/dual_receiver.hpp"
 #include "multipath_localization/simulation/odometer.hpp"
+#include "multipath_localization/simulation/raw_receiver.hpp"
 #include "multipath_localization/simulation/receiver.hpp"
 #include "multipath_localization/simulation/robot.hpp"
+#include "multipath_localization/simulation/satellite_receiver.hpp"
+#include "multipath_localization/simulation/sky_view.hpp"
 #include "multipath_localization/simulation/zone.hpp"
 
 namespace multipath_localization {
-
-/// A building, to be drawn.
-struct BuildingParameters {
-  std::string name = "building";
-  std::vector<double> corners;  ///< [x0, y0, x1, y1, ...] in map [m]
-  double height = 20.0;
-
-  void fields(ParameterVisitor& field);
-};
 
 struct SimulatorParameters {
   double time_step = 0.01;
@@ -31,6 +27,10 @@ struct SimulatorParameters {
   RobotParameters robot;
   OdometerParameters odometer;
   ReceiverParameters receiver;
+  DualReceiverParameters dual_receiver;
+  ConstellationParameters constellations;
+  SkyParameters sky;
+  RawReceiverParameters raw_receiver;
   std::vector<ZoneParameters> zones;
   std::vector<BuildingParameters> buildings;
   std::vector<OutageParameters> outages;
@@ -42,14 +42,15 @@ struct SimulatorParameters {
 /// What the sensors deliver at the end of one step.
 struct Readings {
   std::optional<OdometryIncrement> odometry;
-  std::vector<GnssFix> fixes;  ///< antenna in map; stamped when measured, delivered a latency later
+  std::vector<Measurement> measurements;  ///< stamped when measured, delivered a latency later
 };
 
-/// A robot with odometer and GNSS receiver among buildings. Time starts at 0. Deterministic: the same
+/// A robot with odometer and GNSS receivers among buildings. Time starts at 0. Deterministic: the same
 /// parameters, seed and commands give the same bytes.
 class Simulator {
  public:
-  /// Throws ParameterError on a polygon of fewer than three corners or a wrong number of noise constants.
+  /// Throws ParameterError on a polygon of fewer than three corners, a wrong number of noise constants or an
+  /// error of poses that is none.
   Simulator(const SimulatorParameters& parameters, std::uint64_t seed);
 
   /// Moves on by one time step under a command (not finite: a stop).
@@ -60,22 +61,25 @@ class Simulator {
   [[nodiscard]] const Pose2& truth() const { return robot_.pose(); }   ///< base in map
   [[nodiscard]] double speed() const { return robot_.speed(); }        ///< true [m/s]
   [[nodiscard]] double yaw_rate() const { return robot_.yaw_rate(); }  ///< true [rad/s]
-  [[nodiscard]] const Eigen::Vector2d& bias() const {
-    return reception_.bias;
-  }                                                                      ///< of a fix taken now, map [m]
-  [[nodiscard]] bool in_shadow() const { return reception_.in_shadow; }  ///< the antenna is in a zone
+  /// Of a fix taken now, map [m]; by satellites: the error of the last fix.
+  [[nodiscard]] const Eigen::Vector2d& bias() const { return reception_.bias; }
+  /// The antenna is in a zone; by satellites: those in line of sight are not the majority of those received.
+  [[nodiscard]] bool in_shadow() const { return reception_.in_shadow; }
   [[nodiscard]] const SimulatorParameters& parameters() const { return parameters_; }
 
  private:
-  [[nodiscard]] Reception reception() const;
+  [[nodiscard]] Reception reception(const Eigen::Vector2d& antenna) const;
+  std::vector<Measurement> receive(double duration);
 
   SimulatorParameters parameters_;
+  std::int64_t steps_ = 0;
   Robot robot_;
   Odometer odometer_;
-  Receiver receiver_;
+  DualReceiver dual_receiver_;
   std::vector<Zone> zones_;
+  std::optional<SatelliteReceiver> satellite_receiver_;
+  Receiver receiver_;
   Reception reception_;
-  std::int64_t steps_ = 0;
 };
 
 }  // namespace multipath_localization

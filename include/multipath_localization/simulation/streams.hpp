@@ -12,7 +12,14 @@ enum SimulationStream : std::uint32_t {
   kOdometerNoiseStream,
   kReceiverStream,
   kReceiverNoiseStream,
+  kDualReceiverStream,
   kZoneStream = 0xF0001000U,  ///< plus the index of the zone
+  kConstellationStream = 0xF0002000U,
+  kReceiverClockStream,
+  kReceiverLatencyStream,
+  kInterSystemStream,
+  kSatelliteStream = 0xF0003000U,  ///< plus the index of the satellite
+  kWallStream = 0xF0004000U,       ///< plus the index of the wall
 };
 
 }  // namespace multipath_localization

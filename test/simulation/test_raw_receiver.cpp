@@ -1,0 +1,335 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <map>
+
+#include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/models/pseudorange.hpp"
+#include "multipath_localization/simulation/raw_receiver.hpp"
+
+namespace multipath_localization {
+namespace {
+
+const LocalFrame kMap({35.0, 139.0, 40.0});
+const AntennaState kAtRest{{50.0, -20.0, 2.0}, Eigen::Vector3d::Zero()};
+
+/// A receiver without any error but its clock's.
+RawReceiverParameters exact() {
+  RawReceiverParameters parameters;
+  parameters.fading_sigma = parameters.code_noise = parameters.doppler_noise = 0.0;
+  parameters.atmosphere_sigma = parameters.inter_system_sigma = 0.0;
+  parameters.lock_delay = 0.0;
+  return parameters;
+}
+
+RawReceiver receiver(const RawReceiverParameters& parameters, std::uint64_t seed = 1,
+                     const std::vector<BuildingParameters>& buildings = {}) {
+  SkyParameters sky;
+  sky.reflection_loss_spread_db = 0.0;
+  return {parameters, satellites({}, seed), SkyView(sky, buildings, seed), kMap, seed};
+}
+
+/// Walls without end along a street from west to east, 20 m to either side of the antenna.
+std::vector<BuildingParameters> street() {
+  const double y = kAtRest.position.y();
+  return {{"north", {-5e3, y + 20, 5e3, y + 20, 5e3, y + 40, -5e3, y + 40}, 40.0},
+          {"south", {-5e3, y - 40, 5e3, y - 40, 5e3, y - 20, -5e3, y - 20}, 30.0}};
+}
+
+std::vector<SatelliteObservation> observations(const std::vector<TrackedSignal>& signals) {
+  std::vector<SatelliteObservation> all;
+  for (const TrackedSignal& signal : signals) all.push_back(signal.observation);
+  return all;
+}
+
+int key(const SatelliteObservation& observation) {
+  return 100 * static_cast<int>(observation.constellation) + observation.satellite;
+}
+
+std::map<int, TrackedSignal> by_satellite(const std::vector<TrackedSignal>& signals) {
+  std::map<int, TrackedSignal> all;
+  for (const TrackedSignal& signal : signals) all[key(signal.observation)] = signal;
+  return all;
+}
+
+TEST(RawReceiver, WithoutErrorsThePseudorangesTellWhereItIs) {
+  RawReceiver raw = receiver(exact());
+  const auto sky = observations(raw.measure(kAtRest, 10.0));
+  EXPECT_GE(sky.size(), 25U);
+  const auto solution = solve_position(sky, declared_weights(sky), Eigen::Vector3d::Zero());
+  ASSERT_TRUE(solution);
+  EXPECT_LT((solution->position - kAtRest.position).norm(), 1e-3);
+  EXPECT_NEAR(solution->clock[1], solution->clock[0], 1e-3);
+  EXPECT_GT(std::abs(solution->clock[0]), 1.0);
+}
+
+TEST(RawReceiver, OffsetsBetweenSystemsAreConstantAndDrawnBySeed) {
+  RawReceiverParameters parameters = exact();
+  parameters.inter_system_sigma = 20.0;
+  const int seeds = 100;
+  double variance = 0.0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    RawReceiver raw = receiver(parameters, static_cast<std::uint64_t>(seed));
+    const auto offset = [&](double time) {
+      const auto sky = observations(raw.measure(kAtRest, time));
+      const auto solution = solve_position(sky, declared_weights(sky), kAtRest.position);
+      return solution->clock[1] - solution->clock[0];
+    };
+    const double first = offset(1.0);
+    variance += first * first / seeds;
+    EXPECT_NEAR(offset(50.0), first, 1e-2);
+  }
+  EXPECT_NEAR(std::sqrt(variance), 20.0, 6.0);
+}
+
+TEST(RawReceiver, InTheOpenTheErrorOfItsPositionIsThatOfItsNoise) {
+  RawReceiverParameters parameters;
+  parameters.atmosphere_sigma = 0.0;
+  parameters.declared_floor = 0.1;
+  parameters.declared_ratio = 1.0;
+  double nees = 0.0;
+  const int seeds = 200;
+  for (int seed = 0; seed < seeds; ++seed) {
+    RawReceiver raw = receiver(parameters, static_cast<std::uint64_t>(seed));
+    const auto sky = observations(raw.measure(kAtRest, 1.0));
+    const auto solution = solve_position(sky, declared_weights(sky), kAtRest.position);
+    const Eigen::Vector3d error = solution->position - kAtRest.position;
+    nees += error.dot(solution->covariance.ldlt().solve(error)) / seeds;
+  }
+  EXPECT_NEAR(nees, 3.0, 0.8);  // 4.5 sigma, and a little less for the floor
+}
+
+TEST(RawReceiver, NoiseAndItsDeclarationGrowAsSignalsWeaken) {
+  RawReceiverParameters parameters = exact();
+  parameters.code_noise = 1.0;
+  parameters.doppler_noise = 0.1;
+  parameters.cn0_zenith = parameters.cn0_horizon = 25.0;
+  parameters.declared_floor = 3.0;
+  parameters.declared_ratio = 2.0;
+  RawReceiver noisy = receiver(parameters);
+  parameters.code_noise = parameters.doppler_noise = 0.0;
+  RawReceiver silent = receiver(parameters);
+  double code = 0.0;
+  double doppler = 0.0;
+  double count = 0.0;
+  for (int i = 1; i <= 40; ++i) {
+    const auto with = observations(noisy.measure(kAtRest, i));
+    const auto without = observations(silent.measure(kAtRest, i));
+    ASSERT_EQ(with.size(), without.size());
+    for (std::size_t k = 0; k < with.size(); ++k) {
+      code += std::pow(with[k].pseudorange - without[k].pseudorange, 2);
+      doppler += std::pow(with[k].range_rate - without[k].range_rate, 2);
+      count += 1.0;
+      EXPECT_NEAR(with[k].sigma, std::hypot(3.0, 20.0), 1e-9);
+    }
+  }
+  EXPECT_NEAR(std::sqrt(code / count), 10.0, 1.0);
+  EXPECT_NEAR(std::sqrt(doppler / count), 1.0, 0.1);
+}
+
+TEST(RawReceiver, WhatTheAtmosphereLeavesHasItsSizeAndTimeConstant) {
+  RawReceiverParameters parameters = exact();
+  parameters.atmosphere_sigma = 2.0;
+  parameters.atmosphere_time_constant = 50.0;
+  parameters.elevation_mask_deg = 60.0;  // close to the zenith
+  double variance = 0.0;
+  double covariance = 0.0;
+  double count = 0.0;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    RawReceiver with = receiver(parameters, seed);
+    RawReceiverParameters none = parameters;
+    none.atmosphere_sigma = 0.0;
+    RawReceiver without = receiver(none, seed);
+    std::map<int, double> early;
+    for (const double time : {1.0, 51.0}) {
+      auto clean = by_satellite(without.measure(kAtRest, time));
+      for (const auto& [satellite, signal] : by_satellite(with.measure(kAtRest, time))) {
+        const double delay = signal.observation.pseudorange - clean.at(satellite).observation.pseudorange;
+        if (time < 2.0) {
+          early[satellite] = delay;
+        } else if (early.count(satellite) > 0) {
+          variance += early[satellite] * early[satellite];
+          covariance += early[satellite] * delay;
+          count += 1.0;
+        }
+      }
+    }
+  }
+  EXPECT_NEAR(std::sqrt(variance / count), 2.1, 0.25);
+  EXPECT_NEAR(covariance / variance, std::exp(-1.0), 0.12);
+}
+
+TEST(RawReceiver, LowSatellitesAreSeenThroughMoreOfTheAtmosphere) {
+  RawReceiverParameters parameters = exact();
+  std::map<bool, double> squares;
+  std::map<bool, double> count;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    parameters.atmosphere_sigma = 0.0;
+    auto clean = by_satellite(receiver(parameters, seed).measure(kAtRest, 1.0));
+    parameters.atmosphere_sigma = 2.0;
+    for (const auto& [satellite, signal] : by_satellite(receiver(parameters, seed).measure(kAtRest, 1.0))) {
+      const double elevation_deg = signal.observation.elevation * 180.0 / kPi;
+      if (elevation_deg > 15.0 && elevation_deg < 60.0) continue;
+      const double delay = signal.observation.pseudorange - clean.at(satellite).observation.pseudorange;
+      squares[elevation_deg < 30.0] += delay * delay;
+      count[elevation_deg < 30.0] += 1.0;
+    }
+  }
+  EXPECT_NEAR(std::sqrt(squares[false] / count[false]), 2.1, 0.25);
+  EXPECT_NEAR(std::sqrt(squares[true] / count[true]), 5.2, 0.8);  // 2.7 times as much at 12 degrees
+}
+
+/// Whatever way a signal takes, its range rate is the derivative of its pseudorange.
+TEST(RawReceiver, RangeRatesAreThoseOfThePathsTracked) {
+  RawReceiverParameters parameters = exact();
+  parameters.correlator_spacing = 0.01;  // leaves little of the echoes
+  parameters.clock.drift_walk = 0.0;
+  RawReceiver raw = receiver(parameters, 4, street());
+  AntennaState antenna = kAtRest;
+  antenna.velocity << 9.0, -4.0, 0.0;
+  const double duration = 0.02;
+  auto before = by_satellite(raw.measure(antenna, 1.0));
+  antenna.position += duration * antenna.velocity;
+  std::map<SignalPath::Kind, int> seen;
+  for (const auto& [satellite, signal] : by_satellite(raw.measure(antenna, 1.0 + duration))) {
+    if (before.count(satellite) == 0) continue;
+    const TrackedSignal& then = before.at(satellite);
+    if (then.path.kind != signal.path.kind) continue;
+    const double covered = signal.observation.pseudorange - signal.multipath + signal.path.delay -
+                           (then.observation.pseudorange - then.multipath + then.path.delay);
+    const bool bent = signal.path.kind == SignalPath::Kind::kDiffracted;  // nearly
+    EXPECT_NEAR(covered / duration, signal.observation.range_rate, bent ? 0.3 : 0.02);
+    ++seen[signal.path.kind];
+  }
+  EXPECT_GE(seen[SignalPath::Kind::kDirect], 3);
+  EXPECT_GE(seen[SignalPath::Kind::kReflected], 3);
+}
+
+TEST(RawReceiver, InAStreetHiddenSatellitesAreHeardLateAndWeak) {
+  RawReceiver raw = receiver(exact(), 1, street());
+  const auto signals = raw.measure(kAtRest, 1.0);
+  int hidden = 0;
+  for (const TrackedSignal& signal : signals) {
+    const SatelliteObservation& observation = signal.observation;
+    const double in_the_open = 41.0 + 8.0 * std::sin(observation.elevation);
+    EXPECT_NEAR(observation.cn0, in_the_open - signal.path.loss_db, 1e-9);
+    if (signal.line_of_sight()) continue;
+    ++hidden;
+    EXPECT_LT(observation.cn0, in_the_open - 5.0);
+    if (signal.path.kind == SignalPath::Kind::kReflected) {
+      EXPECT_GT(signal.multipath, 5.0);
+      EXPECT_NEAR(signal.multipath, signal.path.delay, 5.0);
+    }
+  }
+  EXPECT_GE(hidden, 4);
+  EXPECT_LT(signals.size(), receiver(exact()).measure(kAtRest, 1.0).size());
+}
+
+/// Echoes beside the line of sight: metres at rest, hardly anything in motion.
+TEST(RawReceiver, MotionAveragesEchoesOut) {
+  const auto worst = [](const Eigen::Vector3d& velocity) {
+    double largest = 0.0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      RawReceiver raw = receiver(exact(), seed, street());
+      AntennaState antenna = kAtRest;
+      antenna.velocity = velocity;
+      for (const TrackedSignal& signal : raw.measure(antenna, 1.0)) {
+        if (signal.line_of_sight()) largest = std::max(largest, std::abs(signal.multipath));
+      }
+    }
+    return largest;
+  };
+  EXPECT_GT(worst(Eigen::Vector3d::Zero()), 1.0);
+  EXPECT_LT(worst(Eigen::Vector3d::Zero()), 8.0);
+  EXPECT_LT(worst({0.0, 8.0, 0.0}), 0.25 * worst(Eigen::Vector3d::Zero()));
+}
+
+TEST(RawReceiver, AJumpToAnotherPathDiesOut) {
+  RawReceiverParameters parameters = exact();
+  parameters.correlator_spacing = 0.01;
+  parameters.loop_bandwidth = 0.25;  // a time constant of 1 s
+  RawReceiver raw = receiver(parameters, 1, street());
+  const auto hidden = by_satellite(raw.measure(kAtRest, 1.0));
+  AntennaState above = kAtRest;
+  above.position.z() = 41.0;
+  const auto after = by_satellite(raw.measure(above, 2.0));
+  const auto later = by_satellite(raw.measure(above, 6.0));
+  int jumped = 0;
+  for (const auto& [satellite, signal] : hidden) {
+    if (signal.path.kind != SignalPath::Kind::kReflected || after.count(satellite) == 0) continue;
+    ++jumped;
+    EXPECT_TRUE(after.at(satellite).line_of_sight());
+    EXPECT_NEAR(after.at(satellite).multipath, std::exp(-1.0) * signal.path.delay, 1.0);
+    EXPECT_NEAR(later.at(satellite).multipath, 0.0, 2.0);
+  }
+  EXPECT_GE(jumped, 3);
+}
+
+TEST(RawReceiver, TheCodeFollowsAPathThatGrowsWithTheCarrier) {
+  RawReceiverParameters parameters = exact();
+  parameters.correlator_spacing = 0.01;
+  parameters.loop_bandwidth = 0.01;  // alone it would take 25 s
+  RawReceiver raw = receiver(parameters, 1, street());
+  AntennaState antenna = kAtRest;
+  antenna.velocity << 0.0, 4.0, 0.0;
+  std::map<int, TrackedSignal> last;
+  int followed = 0;
+  for (int i = 1; i <= 20; ++i) {
+    antenna.position.y() = kAtRest.position.y() + 0.4 * (i - 1);
+    const auto now = by_satellite(raw.measure(antenna, 0.1 * i));
+    for (const auto& [satellite, signal] : now) {
+      if (last.count(satellite) == 0 || signal.path.kind != SignalPath::Kind::kReflected) continue;
+      const double grown = signal.path.delay - last.at(satellite).path.delay;
+      if (std::abs(grown) < 0.1 || std::abs(grown) > 1.0) continue;  // at rest or another path
+      EXPECT_NEAR(signal.multipath - last.at(satellite).multipath, grown, 0.3 * std::abs(grown));
+      ++followed;
+    }
+    last = now;
+  }
+  EXPECT_GT(followed, 40);
+}
+
+TEST(RawReceiver, LeavesOutWhatIsLowOrWeakOrNotYetLocked) {
+  RawReceiverParameters parameters = exact();
+  parameters.elevation_mask_deg = 30.0;
+  RawReceiver masked = receiver(parameters);
+  for (const TrackedSignal& signal : masked.measure(kAtRest, 1.0)) {
+    EXPECT_GE(signal.observation.elevation, 30.0 * kPi / 180.0);
+  }
+  parameters = exact();
+  parameters.tracking_threshold = 45.0;
+  RawReceiver deaf = receiver(parameters);
+  const auto heard = deaf.measure(kAtRest, 1.0);
+  EXPECT_FALSE(heard.empty());
+  for (const TrackedSignal& signal : heard) EXPECT_GE(signal.observation.cn0, 45.0);
+
+  parameters = exact();
+  parameters.lock_delay = 2.0;
+  const std::vector<BuildingParameters> hall = {{"hall", {-10, -10, 10, -10, 10, 10, -10, 10}, 20.0}};
+  RawReceiver raw = receiver(parameters, 1, hall);
+  EXPECT_FALSE(raw.measure(kAtRest, 1.0).empty());  // has been on for long
+  EXPECT_TRUE(raw.measure({{0.0, 0.0, 2.0}, Eigen::Vector3d::Zero()}, 2.0).empty());
+  EXPECT_TRUE(raw.measure(kAtRest, 3.0).empty());
+  EXPECT_TRUE(raw.measure(kAtRest, 4.9).empty());
+  EXPECT_FALSE(raw.measure(kAtRest, 5.0).empty());
+}
+
+TEST(RawReceiver, SameSeedSameBytes) {
+  const auto run = [](std::uint64_t seed) {
+    std::vector<double> all;
+    RawReceiver raw = receiver({}, seed, street());
+    for (int i = 1; i <= 20; ++i) {
+      for (const TrackedSignal& signal : raw.measure(kAtRest, 0.1 * i)) {
+        all.insert(all.end(), {signal.observation.pseudorange, signal.observation.range_rate,
+                               signal.observation.cn0, signal.observation.sigma});
+      }
+    }
+    return all;
+  };
+  EXPECT_EQ(run(3), run(3));
+  EXPECT_NE(run(3), run(4));
+}
+
+}  // namespace
+}  // namespace multipath_localization
