@@ -11,12 +11,12 @@ namespace {
 constexpr std::size_t kCentres = 24;  ///< hypotheses tried as centre
 constexpr double kMinReach = 2.0;     ///< [m]
 constexpr double kReachSigmas = 2.0;
-constexpr double kHeadingReach = 0.6;  ///< [rad]
 
 /// Whether a hypothesis agrees with the pose of another, of which it is known how uncertain it is.
 class Agreement {
  public:
-  explicit Agreement(const Belief& centre) : centre_(centre.mean) {
+  Agreement(const Belief& centre, double heading_reach)
+      : centre_(centre.mean), heading_reach_(heading_reach) {
     const double variance = 0.5 * (centre.covariance(kX, kX) + centre.covariance(kY, kY));
     reach_squared_ = std::max(kMinReach * kMinReach, kReachSigmas * kReachSigmas * variance);
   }
@@ -24,11 +24,12 @@ class Agreement {
   bool operator()(const Belief& other) const {
     const double distance_squared = (other.mean.head<2>() - centre_.head<2>()).squaredNorm();
     return distance_squared < reach_squared_ &&
-           std::abs(angle_difference(other.mean(kYaw), centre_(kYaw))) < kHeadingReach;
+           std::abs(angle_difference(other.mean(kYaw), centre_(kYaw))) <= heading_reach_;
   }
 
  private:
   Belief::Vector centre_;
+  double heading_reach_;
   double reach_squared_;
 };
 
@@ -64,9 +65,9 @@ struct Centre {
 };
 
 Centre best_of(const std::vector<std::size_t>& candidates, const std::vector<BeliefParticle>& particles,
-               Centre best) {
+               double heading_reach, Centre best) {
   for (const std::size_t candidate : candidates) {
-    const Agreement agrees(particles[candidate].belief);
+    const Agreement agrees(particles[candidate].belief, heading_reach);
     double mass = 0.0;
     for (const BeliefParticle& particle : particles) mass += agrees(particle.belief) ? particle.weight : 0.0;
     if (mass > best.mass) best = {candidate, mass};
@@ -75,9 +76,9 @@ Centre best_of(const std::vector<std::size_t>& candidates, const std::vector<Bel
 }
 
 /// No other cluster can outweigh one of more than half.
-Centre dominant_centre(const std::vector<BeliefParticle>& particles) {
-  const Centre best = best_of(heaviest(particles), particles, {});
-  return best.mass > 0.5 ? best : best_of(spread(particles), particles, best);
+Centre dominant_centre(const std::vector<BeliefParticle>& particles, double heading_reach) {
+  const Centre best = best_of(heaviest(particles), particles, heading_reach, {});
+  return best.mass > 0.5 ? best : best_of(spread(particles), particles, heading_reach, best);
 }
 
 Belief::Vector deviation(const Belief& belief, const Belief::Vector& mean) {
@@ -88,11 +89,11 @@ Belief::Vector deviation(const Belief& belief, const Belief::Vector& mean) {
 
 }  // namespace
 
-DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles) {
+DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles, double heading_reach) {
   DominantCluster cluster;
-  const Centre centre = dominant_centre(particles);
+  const Centre centre = dominant_centre(particles, heading_reach);
   cluster.mass = centre.mass;
-  const Agreement agrees(particles[centre.index].belief);
+  const Agreement agrees(particles[centre.index].belief, heading_reach);
   Belief& belief = cluster.belief;
   Eigen::Vector2d heading = Eigen::Vector2d::Zero();
   for (const BeliefParticle& particle : particles) {

@@ -79,9 +79,7 @@ void Localizer::apply(const Measurement& measurement) {
     reports_.push_back({stamp, measurement, refused(Reason::kOldStamp)});
     return;
   }
-  Measurement seen_from_now = measurement;
-  std::visit([&](auto& m) { m.antenna_in_base = *base_then * m.antenna_in_base; }, seen_from_now);
-  const Innovation innovation = estimator_->update(seen_from_now);
+  const Innovation innovation = estimator_->update(carried_back(measurement, *base_then));
   if (innovation.accepted()) last_accepted_ = std::max(last_accepted_, stamp);
   reports_.push_back({stamp, measurement, innovation});
 }

@@ -2,9 +2,13 @@
 
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/estimators/conventional_particle_filter.hpp"
+#include "multipath_localization/estimators/dual_antenna_ekf.hpp"
 #include "multipath_localization/estimators/gated_ekf.hpp"
 #include "multipath_localization/estimators/multipath_particle_filter.hpp"
 #include "multipath_localization/estimators/nishida_particle_filter.hpp"
+#include "multipath_localization/estimators/pseudorange_mixture_filter.hpp"
+#include "multipath_localization/estimators/pseudorange_particle_filter.hpp"
+#include "multipath_localization/estimators/two_stage_ekf.hpp"
 
 namespace multipath_localization {
 
@@ -34,6 +38,10 @@ const std::vector<Entry>& entries() {
       entry<FixParticleFilter, NishidaParticleFilterParameters>("nishida_particle_filter"),
       entry<FixParticleFilter, ConventionalParticleFilterParameters>("conventional_particle_filter"),
       entry<GatedEkf, GatedEkfParameters>("gated_ekf"),
+      entry<TwoStageEkf, TwoStageEkfParameters>("two_stage_ekf"),
+      entry<DualAntennaEkf, DualAntennaEkfParameters>("dual_antenna_ekf"),
+      entry<PseudorangeParticleFilter, PseudorangeParticleFilterParameters>("pseudorange_particle_filter"),
+      entry<PseudorangeMixtureFilter, PseudorangeMixtureFilterParameters>("pseudorange_mixture_filter"),
   };
   return all;
 }

@@ -4,75 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "multipath_localization/core/random.hpp"
+#include "matched_robot.hpp"
 #include "multipath_localization/estimators/gated_ekf.hpp"
-#include "multipath_localization/models/odometry_motion.hpp"
 
 namespace multipath_localization {
 namespace {
-
-constexpr double kStep = 0.02;
-constexpr int kStepsPerFix = 10;
-
-/// A robot that behaves exactly as the filter assumes, odometry at 50 Hz, fixes at 5 Hz.
-class MatchedRobot {
- public:
-  MatchedRobot(const GatedEkfParameters& parameters, std::uint64_t seed)
-      : noise_(parameters.odometry), seed_(seed) {
-    RandomStream random(seed_, 0, 0);
-    errors_ = {noise_.scale_sigma * random.normal(), noise_.gyro_bias_sigma * random.normal()};
-  }
-
-  Pose2 truth;
-  Eigen::Vector2d antenna = Eigen::Vector2d(0.4, -0.1);
-  double fix_sigma = 0.5;
-  double speed = 2.0;
-  double time = 0.0;
-
-  /// One increment as measured; the truth moves by a noisy one.
-  OdometryIncrement drive() {
-    RandomStream random(seed_, ++step_, 1);
-    time += kStep;
-    const double yaw_rate = 0.3 * std::sin(0.2 * time);
-    const OdometryIncrement measured{time, kStep, speed, yaw_rate};
-    truth = moved(truth, measured, errors_);
-    const double along = noise_.distance * std::sqrt(std::abs(speed) * kStep) * random.normal();
-    truth.x += along * std::cos(truth.yaw);
-    truth.y += along * std::sin(truth.yaw);
-    truth.yaw = wrap_angle(truth.yaw + noise_.yaw * std::sqrt(kStep) * random.normal());
-    return measured;
-  }
-
-  GnssFix fix() {
-    RandomStream random(seed_, step_, 2);
-    GnssFix fix;
-    fix.stamp = time;
-    fix.position = truth * antenna + fix_sigma * Eigen::Vector2d(random.normal(), random.normal());
-    fix.covariance = fix_sigma * fix_sigma * Eigen::Matrix2d::Identity();
-    fix.antenna_in_base = antenna;
-    return fix;
-  }
-
-  /// Drives on for `duration`, giving the filter everything but fixes moved by `offset`.
-  void run(Estimator& filter, double duration, const Eigen::Vector2d& offset = Eigen::Vector2d::Zero()) {
-    const auto steps = std::lround(duration / kStep);
-    for (long i = 1; i <= steps; ++i) {
-      filter.predict(drive());
-      if (i % kStepsPerFix != 0) continue;
-      GnssFix z = fix();
-      z.position += offset;
-      last = filter.update(z);
-    }
-  }
-
-  Innovation last;
-
- private:
-  OdometryNoise noise_;
-  std::uint64_t seed_;
-  std::uint32_t step_ = 0;
-  OdometerErrors errors_;
-};
 
 Eigen::Vector3d pose_error(const PoseEstimate& estimate, const Pose2& truth) {
   return {estimate.pose.x - truth.x, estimate.pose.y - truth.y,
@@ -88,13 +24,6 @@ double nees(const PoseEstimate& estimate, const Pose2& truth) {
   return error.dot(estimate.covariance.inverse() * error);
 }
 
-PosePrior prior_at(const Pose2& pose) {
-  PosePrior prior;
-  prior.pose = pose;
-  prior.covariance = Eigen::Vector3d(0.25, 0.25, 0.01).asDiagonal();
-  return prior;
-}
-
 TEST(GatedEkf, NeesAndNisLieInTheirChiSquareBands) {
   constexpr int kSeeds = 80;
   GatedEkfParameters parameters;
@@ -103,13 +32,13 @@ TEST(GatedEkf, NeesAndNisLieInTheirChiSquareBands) {
   double nis_sum = 0.0;
   int fixes = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    MatchedRobot robot(parameters, seed);
+    MatchedRobot robot(parameters.odometry, seed);
     RandomStream random(seed, 0, 3);
     const Pose2 start{0.5 * random.normal(), 0.5 * random.normal(), 0.1 * random.normal()};
     GatedEkf filter(parameters);
     filter.start(prior_at(start));
     for (; fixes < 150 * static_cast<int>(seed); ++fixes) {
-      robot.run(filter, kStep * kStepsPerFix);
+      robot.run(filter, MatchedRobot::kStep * MatchedRobot::kStepsPerFix);
       nis_sum += robot.last.nis;
     }
     nees_sum += nees(filter.estimate(), robot.truth);
@@ -124,7 +53,7 @@ TEST(GatedEkf, FindsItsHeadingFromTheChordAndKnowsHowWell) {
   const GatedEkfParameters parameters;
   double nees_sum = 0.0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    MatchedRobot robot(parameters, seed);
+    MatchedRobot robot(parameters.odometry, seed);
     robot.truth = {10.0, -20.0, 2.0};
     GatedEkf filter(parameters);
     filter.start(std::nullopt);
@@ -137,7 +66,7 @@ TEST(GatedEkf, FindsItsHeadingFromTheChordAndKnowsHowWell) {
 
 TEST(GatedEkf, FindsItsHeadingInReverse) {
   const GatedEkfParameters parameters;
-  MatchedRobot robot(parameters, 7);
+  MatchedRobot robot(parameters.odometry, 7);
   robot.truth = {0.0, 0.0, -2.5};
   robot.speed = -1.5;
   GatedEkf filter(parameters);
@@ -150,7 +79,7 @@ TEST(GatedEkf, FindsItsHeadingInReverse) {
 
 TEST(GatedEkf, FollowsTheFixesBeforeItIsAligned) {
   const GatedEkfParameters parameters;
-  MatchedRobot robot(parameters, 8);
+  MatchedRobot robot(parameters.odometry, 8);
   GatedEkf filter(parameters);
   filter.start(std::nullopt);
   filter.predict(robot.drive());
@@ -167,7 +96,7 @@ TEST(GatedEkf, FollowsTheFixesBeforeItIsAligned) {
 
 TEST(GatedEkf, RefusesASpikeAndKeepsItsPose) {
   const GatedEkfParameters parameters;
-  MatchedRobot robot(parameters, 9);
+  MatchedRobot robot(parameters.odometry, 9);
   GatedEkf filter(parameters);
   filter.start(prior_at(robot.truth));
   robot.run(filter, 20.0);
@@ -185,7 +114,7 @@ TEST(GatedEkf, RefusesASpikeAndKeepsItsPose) {
 TEST(GatedEkf, AcceptsAnOffsetThatPersists) {
   const GatedEkfParameters parameters;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    MatchedRobot robot(parameters, seed);
+    MatchedRobot robot(parameters.odometry, seed);
     GatedEkf filter(parameters);
     filter.start(prior_at(robot.truth));
     robot.run(filter, 20.0);
@@ -202,7 +131,7 @@ TEST(GatedEkf, AcceptsAnOffsetThatPersists) {
 
 TEST(GatedEkf, AnOutageIsNoRejection) {
   const GatedEkfParameters parameters;
-  MatchedRobot robot(parameters, 11);
+  MatchedRobot robot(parameters.odometry, 11);
   GatedEkf filter(parameters);
   filter.start(prior_at(robot.truth));
   robot.run(filter, 20.0);
@@ -215,7 +144,7 @@ TEST(GatedEkf, AnOutageIsNoRejection) {
 
 TEST(GatedEkf, LeverArmOfALateFixCounts) {
   const GatedEkfParameters parameters;
-  MatchedRobot robot(parameters, 12);
+  MatchedRobot robot(parameters.odometry, 12);
   robot.antenna = {-6.0, 1.0};
   GatedEkf filter(parameters);
   filter.start(std::nullopt);
@@ -226,12 +155,13 @@ TEST(GatedEkf, LeverArmOfALateFixCounts) {
 
 TEST(GatedEkf, ParkedRobotNeitherDiffusesNorTurns) {
   const GatedEkfParameters parameters;
-  MatchedRobot robot(parameters, 13);
+  MatchedRobot robot(parameters.odometry, 13);
   GatedEkf filter(parameters);
   filter.start(prior_at(robot.truth));
   robot.run(filter, 10.0);
   const PoseEstimate before = filter.estimate();
-  for (int i = 0; i < 3000; ++i) filter.predict({robot.time + kStep * i, kStep, 0.0, 0.01});
+  for (int i = 0; i < 3000; ++i)
+    filter.predict({robot.time + MatchedRobot::kStep * i, MatchedRobot::kStep, 0.0, 0.01});
   EXPECT_EQ(filter.estimate().covariance, before.covariance);
   EXPECT_EQ(filter.estimate().pose.yaw, before.pose.yaw);
 }

@@ -15,8 +15,12 @@ struct DominantCluster {
       Eigen::Matrix2d::Zero();  ///< all hypotheses about the mean [m^2]
 };
 
+inline constexpr double kHeadingReach = 0.6;  ///< [rad]
+
 /// Finds it: of the heaviest hypotheses, the one with the most weight within its reach; where that is not
-/// half of all, others are tried as well, spread evenly over the weight.
-DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles);
+/// half of all, others are tried as well, spread evenly over the weight. With a `heading_reach` of pi those
+/// agree that share the place.
+DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles,
+                                 double heading_reach = kHeadingReach);
 
 }  // namespace multipath_localization

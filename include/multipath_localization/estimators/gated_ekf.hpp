@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/estimators/chord_alignment.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 #include "multipath_localization/filters/kalman.hpp"
 #include "multipath_localization/models/gnss_position.hpp"
-#include "multipath_localization/models/preintegrated_odometry.hpp"
+#include "multipath_localization/models/odometry_state.hpp"
 
 namespace multipath_localization {
 
@@ -17,8 +18,7 @@ struct GatedEkfParameters {
   double gate = 11.83;
   double reopen_after = 5.0;
   double reopen_yaw_sigma = 0.1;
-  double alignment_distance = 5.0;
-  double alignment_yaw_sigma = 0.3;
+  ChordAlignmentParameters alignment;
   DeclaredCovarianceParameters declared;
   OdometryNoise odometry;
 
@@ -30,8 +30,7 @@ struct GatedEkfParameters {
 /// seconds on end open it.
 ///
 /// Started without a prior, or with a heading of more than 1 rad standard deviation, it first follows the
-/// fixes; the heading comes from turning the chord of the odometry on to the chord of the fixes, which is
-/// valid in reverse as well. Until then the estimate is not aligned.
+/// fixes until a ChordAlignment has found the heading. Until then the estimate is not aligned.
 class GatedEkf : public Estimator {
  public:
   /// Draws no random numbers: the seed is not used.
@@ -44,32 +43,15 @@ class GatedEkf : public Estimator {
   [[nodiscard]] std::vector<Hypothesis> hypotheses() const override;
 
  private:
-  enum State : int { kX, kY, kYaw, kScale, kGyroBias, kStates };
-  enum class Phase { kWaiting, kFollowing, kTracking };
-
-  /// Where the chords of odometry and fixes begin.
-  struct Anchor {
-    Eigen::Vector2d antenna_in_odom;
-    Eigen::Vector2d antenna_in_map;
-    Eigen::Matrix2d covariance;  ///< of antenna_in_map
-    double stamp;
-  };
-
-  [[nodiscard]] Pose2 pose() const;
-  void set_odometer_errors_unknown();
-  void follow(const GnssFix& fix, const Eigen::Matrix2d& R);
-  void try_to_align(const GnssFix& fix, const Eigen::Matrix2d& R);
-  void align(const GnssFix& fix, const Eigen::Matrix2d& R, double yaw);
+  [[nodiscard]] const ChordAlignment::State& belief() const;
   Innovation track(const GnssFix& fix, const Eigen::Matrix2d& R);
   [[nodiscard]] bool reopens();
 
   GatedEkfParameters parameters_;
   FixCheck fix_check_;
-  Phase phase_ = Phase::kWaiting;
-  Gaussian<kStates> belief_;
+  ChordAlignment alignment_;
+  std::optional<ChordAlignment::State> tracked_;  ///< once aligned
   double now_ = 0.0;
-  Pose2 base_in_odom_;
-  std::optional<Anchor> anchor_;
   std::optional<double> rejecting_since_;
 };
 

@@ -22,7 +22,7 @@ struct MultipathParticleFilterParameters {
   double alignment_length = 12.0;
   double alignment_variance_floor = 0.02;
   double confirm_probability = 0.8;
-  double confirm_distance = 20.0;
+  double confirm_distance = 12.0;
   double position_sigma_floor = 0.05;
   OdometryNoise odometry;
   ReceiverClasses classes;

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/estimators/dominant_cluster.hpp"
+#include "multipath_localization/estimators/estimator.hpp"
+#include "multipath_localization/estimators/pseudorange_hypothesis.hpp"
+#include "multipath_localization/estimators/pseudorange_seeding.hpp"
+#include "multipath_localization/estimators/satellite_slots.hpp"
+
+namespace multipath_localization {
+
+struct PseudorangeMixtureFilterParameters {
+  int hypotheses = 60;
+  int subsets = 500;
+  double start_sigma = 15.0;
+  double start_up_sigma = 25.0;
+  double start_drift_sigma = 100.0;
+  double least_weight = 1e-4;
+  double reseed_interval = 2.0;
+  double reseed_probability = 0.005;
+  double align_probability = 0.95;
+  double align_distance = 20.0;
+  double slot_time = 300.0;
+  double position_sigma_floor = 0.3;
+  OdometryNoise odometry;
+  ReceiverStateNoise receiver;
+  RangeErrorParameters errors;
+
+  PseudorangeMixtureFilterParameters() { odometry.gyro_bias_sigma = 0.003; }
+  void fields(ParameterVisitor& field);
+};
+
+/// Position from the raw pseudoranges of a receiver among buildings, and wheel odometry: start, heading,
+/// clock and offsets between constellations unknown.
+///
+/// Goes on from [SUZ], which decides for each particle which satellites are in line of sight by thresholds on
+/// residuals against one reference satellite. Here each hypothesis is an extended Kalman filter over pose,
+/// constants of the odometry, height, clock and one bias for each satellite, and whether a satellite is in
+/// line of sight is a probability: a mixture of a Gaussian and a Gaussian with exponential delay, with a
+/// prior from C/N0 and elevation and a memory. Hypotheses start at positions by random subsets of satellites
+/// and at headings all round the circle; evidence weighs them, and those that lose are dropped. Until one
+/// cluster has won, new ones are tried now and then.
+class PseudorangeMixtureFilter : public Estimator {
+ public:
+  PseudorangeMixtureFilter(const PseudorangeMixtureFilterParameters& parameters, std::uint64_t seed);
+
+  void start(const std::optional<PosePrior>& prior) override;
+  void predict(const OdometryIncrement& u) override;
+  Innovation update(const Measurement& z) override;
+  [[nodiscard]] PoseEstimate estimate() const override;
+  /// Draws from the hypotheses' Gaussians.
+  [[nodiscard]] std::vector<Hypothesis> hypotheses() const override;
+
+ private:
+  Innovation weigh(const PseudorangeEpoch& epoch);
+  /// Adds `count` hypotheses at random, which share `probability`; at the start they are the first. False
+  /// when the epoch does not allow any.
+  bool seed(const SlottedEpoch& epoch, int count, double probability);
+  [[nodiscard]] PseudorangeHypothesis unknown_hypothesis() const;
+  [[nodiscard]] PseudorangeHypothesis hypothesis_at(const PseudorangeSeed& seed, double yaw,
+                                                    const Eigen::Vector2d& antenna_in_base) const;
+  [[nodiscard]] std::optional<AntennaPrior> antenna_prior(const Eigen::Vector2d& antenna_in_base) const;
+  [[nodiscard]] SlottedEpoch slotted(const PseudorangeEpoch& epoch);
+  std::optional<int> slot_of(const SlotOwner& owner, double variance);
+  void release(int slot);
+  void flush_odometry();
+  void refresh();
+  void update_alignment();
+  [[nodiscard]] bool reseeding_due() const;
+  [[nodiscard]] Belief current(const Belief& belief) const;
+
+  PseudorangeMixtureFilterParameters parameters_;
+  std::uint64_t seed_;
+  std::uint32_t step_ = 0;
+
+  std::vector<PseudorangeHypothesis> bank_;  ///< none before the first epoch or prior
+  bool has_clock_ = false;                   ///< whether an epoch has been used
+  SatelliteSlots slots_;
+  DominantCluster cluster_;         ///< of the bank as it is
+  DominantCluster place_;           ///< likewise, whatever the heading
+  PreintegratedOdometry odometry_;  ///< since the bank was last moved
+  OdometryIncrement last_;
+  double last_epoch_ = 0.0;
+  double last_seeding_ = 0.0;
+  double moved_ = 0.0;         ///< distance since the last epoch [m]
+  double settled_over_ = 0.0;  ///< distance with one cluster left [m]
+  bool aligned_ = false;
+};
+
+}  // namespace multipath_localization

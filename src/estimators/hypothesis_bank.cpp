@@ -1,0 +1,92 @@
+#include "multipath_localization/estimators/hypothesis_bank.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kSamePlace = 0.3;      // of the smaller standard deviation
+constexpr double kSameHeading = 0.3;    // likewise
+constexpr double kLeastDistance = 0.3;  // [m]
+constexpr double kLeastTurn = 0.01;     // [rad]
+
+double position_sigma(const PseudorangeHypothesis& hypothesis) {
+  const auto& P = hypothesis.belief.covariance;
+  return std::sqrt(0.5 * (P(kX, kX) + P(kY, kY)));
+}
+
+double yaw_sigma(const PseudorangeHypothesis& hypothesis) {
+  return std::sqrt(hypothesis.belief.covariance(kYaw, kYaw));
+}
+
+bool agree(const PseudorangeHypothesis& a, const PseudorangeHypothesis& b) {
+  const double turn = std::abs(angle_difference(a.belief.mean(kYaw), b.belief.mean(kYaw)));
+  const double distance = (a.belief.mean.head<2>() - b.belief.mean.head<2>()).norm();
+  return turn < std::max(kLeastTurn, kSameHeading * std::min(yaw_sigma(a), yaw_sigma(b))) &&
+         distance < std::max(kLeastDistance, kSamePlace * std::min(position_sigma(a), position_sigma(b)));
+}
+
+double log_sum(double a, double b) {
+  const double high = std::max(a, b);
+  return high + std::log1p(std::exp(std::min(a, b) - high));
+}
+
+}  // namespace
+
+std::vector<double> weights_of(const std::vector<PseudorangeHypothesis>& bank) {
+  double highest = bank.front().log_weight;
+  for (const auto& hypothesis : bank) highest = std::max(highest, hypothesis.log_weight);
+  std::vector<double> weights;
+  double sum = 0.0;
+  for (const auto& hypothesis : bank) {
+    weights.push_back(std::exp(hypothesis.log_weight - highest));
+    sum += weights.back();
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+void thin_out(std::vector<PseudorangeHypothesis>& bank, double least) {
+  double highest = bank.front().log_weight;
+  for (const auto& hypothesis : bank) highest = std::max(highest, hypothesis.log_weight);
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < bank.size(); ++i) {
+    if (bank[i].log_weight >= highest + std::log(least)) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return bank[a].log_weight > bank[b].log_weight; });
+  std::vector<std::size_t> kept;
+  for (const std::size_t i : order) {
+    const auto heir =
+        std::find_if(kept.begin(), kept.end(), [&](std::size_t k) { return agree(bank[k], bank[i]); });
+    if (heir == kept.end()) {
+      kept.push_back(i);
+    } else {
+      bank[*heir].log_weight = log_sum(bank[*heir].log_weight, bank[i].log_weight);
+    }
+  }
+  std::sort(kept.begin(), kept.end());
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    if (kept[k] != k) bank[k] = bank[kept[k]];
+  }
+  bank.resize(kept.size());
+  const std::vector<double> weights = weights_of(bank);
+  for (std::size_t k = 0; k < bank.size(); ++k) bank[k].log_weight = std::log(weights[k]);
+}
+
+std::vector<BeliefParticle> planar(const std::vector<PseudorangeHypothesis>& bank) {
+  const std::vector<double> weights = weights_of(bank);
+  std::vector<BeliefParticle> particles;
+  for (std::size_t i = 0; i < bank.size(); ++i) {
+    BeliefParticle particle;
+    particle.belief = bank[i].belief.planar();
+    particle.mode.shadow = bank[i].line_of_sight_share < 0.5;
+    particle.weight = weights[i];
+    particles.push_back(particle);
+  }
+  return particles;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,132 @@
+#include "multipath_localization/estimators/pseudorange_belief.hpp"
+
+#include <cmath>
+
+namespace multipath_localization {
+
+namespace {
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+void ReceiverStateNoise::fields(ParameterVisitor& field) {
+  field("position_walk", position_walk, {0.0, 10.0}, "m/sqrt(s)",
+        "side slip and what else odometry does not see, while moving");
+  field("up_walk", up_walk, {0.0, 10.0}, "m/sqrt(s)", "random walk of the height while moving");
+  field("clock_walk", clock_walk, {0.0, 100.0}, "m/sqrt(s)", "random walk of the receiver clock");
+  field("drift_walk", drift_walk, {0.0, 10.0}, "m/s/sqrt(s)", "random walk of the receiver clock's drift");
+  field("offset_sigma", offset_sigma, {0.1, 1e4}, "m",
+        "1 sigma of the unknown offset between the clocks of two constellations");
+  field("offset_walk", offset_walk, {0.0, 10.0}, "m/sqrt(s)", "random walk of that offset");
+  field("bias_sigma", bias_sigma, {0.1, 100.0}, "m",
+        "1 sigma of a satellite's own bias in line of sight: orbit, atmosphere, GLONASS frequency");
+  field("bias_time", bias_time, {1.0, 1e5}, "s", "correlation time of that bias");
+}
+
+Belief PseudorangeBelief::planar() const {
+  constexpr int kPlanar = kGyroBias + 1;
+  Belief belief;
+  belief.mean.head<kPlanar>() = mean.head<kPlanar>();
+  belief.covariance.topLeftCorner<kPlanar, kPlanar>() = covariance.topLeftCorner<kPlanar, kPlanar>();
+  return belief;
+}
+
+void PseudorangeBelief::append(double variance) {
+  const Eigen::Index n = mean.size();
+  mean.conservativeResize(n + 1);
+  covariance.conservativeResize(n + 1, n + 1);
+  renew(static_cast<int>(n), 0.0, variance);
+}
+
+void PseudorangeBelief::remove(int slot) {
+  const Eigen::Index last = mean.size() - 1;
+  const int place = state_of(slot);
+  mean(place) = mean(last);
+  covariance.row(place).swap(covariance.row(last));
+  covariance.col(place).swap(covariance.col(last));
+  mean.conservativeResize(last);
+  covariance.conservativeResize(last, last);
+}
+
+void PseudorangeBelief::propagate(const PreintegratedOdometry& odometry, const OdometryNoise& odometry_noise,
+                                  const ReceiverStateNoise& noise, const SatelliteSlots& slots) {
+  const double dt = odometry.duration();
+  const double moving = odometry.moving_time();
+  const Eigen::Matrix2d R = rotation(mean(kYaw));
+  const Eigen::Vector2d d = R * odometry.displacement(mean(kScale), mean(kGyroBias));
+
+  // F = I + A on rows (x, y, yaw) and columns (yaw, scale, gyro bias); the clock moves by its drift.
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  A.topRows<2>() << Eigen::Vector2d(-d.y(), d.x()), R * odometry.by_scale(), R * odometry.by_gyro_bias();
+  A(2, 2) = -moving;
+  Matrix& P = covariance;
+  P.topRows<3>() += (A * P.middleRows<3>(kYaw)).eval();
+  P.leftCols<3>() += (P.middleCols<3>(kYaw) * A.transpose()).eval();
+  P.row(kClock) += dt * P.row(kDrift);
+  P.col(kClock) += dt * P.col(kDrift);
+  mean(kClock) += dt * mean(kDrift);
+  mean(kYaw) = wrap_angle(mean(kYaw) + odometry.turn(mean(kGyroBias)));
+  mean.head<2>() += d;
+
+  change_slots(dt, noise, slots);
+  add_noise(odometry, R, odometry_noise, noise);
+}
+
+void PseudorangeBelief::change_slots(double dt, const ReceiverStateNoise& noise,
+                                     const SatelliteSlots& slots) {
+  Matrix& P = covariance;
+  const double kept = std::exp(-dt / noise.bias_time);
+  for (int slot = 0; slot < slots.size(); ++slot) {
+    const int i = state_of(slot);
+    if (slots.owner(slot).satellite) {
+      mean(i) *= kept;
+      P.row(i) *= kept;
+      P.col(i) *= kept;
+      P(i, i) += square(noise.bias_sigma) * (1.0 - kept * kept);
+    } else {
+      P(i, i) += square(noise.offset_walk) * dt;
+    }
+  }
+}
+
+void PseudorangeBelief::add_noise(const PreintegratedOdometry& odometry, const Eigen::Matrix2d& R,
+                                  const OdometryNoise& odometry_noise, const ReceiverStateNoise& noise) {
+  const double dt = odometry.duration();
+  const double moving = odometry.moving_time();
+  Matrix& P = covariance;
+  Eigen::Matrix3d G = Eigen::Matrix3d::Identity();
+  G.topLeftCorner<2, 2>() = R;
+  P.topLeftCorner<3, 3>() += G * odometry.covariance() * G.transpose();
+  P(kX, kX) += square(noise.position_walk) * moving;
+  P(kY, kY) += square(noise.position_walk) * moving;
+  P(kScale, kScale) += square(odometry_noise.scale_walk) * moving;
+  P(kGyroBias, kGyroBias) += square(odometry_noise.gyro_bias_walk) * moving;
+  P(kUp, kUp) += square(noise.up_walk) * moving;
+  P(kClock, kClock) += square(noise.clock_walk) * dt;
+  P(kDrift, kDrift) += square(noise.drift_walk) * dt;
+  P = (0.5 * (P + P.transpose())).eval();
+}
+
+PseudorangeBelief::Vector PseudorangeBelief::covariance_with(const SparseRow& H) const {
+  Vector PHt = H.value(0) * covariance.col(H.state(0));
+  for (int i = 1; i < H.size(); ++i) PHt.noalias() += H.value(i) * covariance.col(H.state(i));
+  return PHt;
+}
+
+void PseudorangeBelief::correct(const Vector& PHt, double S, double innovation) {
+  mean += PHt * (innovation / S);
+  mean(kYaw) = wrap_angle(mean(kYaw));
+  // As a square, so that rounding leaves P symmetric.
+  const Vector root = PHt / std::sqrt(S);
+  covariance.noalias() -= root * root.transpose();
+}
+
+void PseudorangeBelief::renew(int state, double value, double variance) {
+  mean(state) = value;
+  covariance.row(state).setZero();
+  covariance.col(state).setZero();
+  covariance(state, state) = variance;
+}
+
+}  // namespace multipath_localization

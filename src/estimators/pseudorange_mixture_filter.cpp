@@ -1,0 +1,297 @@
+#include "multipath_localization/estimators/pseudorange_mixture_filter.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "multipath_localization/estimators/epoch_check.hpp"
+#include "multipath_localization/estimators/fix_check.hpp"
+#include "multipath_localization/estimators/hypothesis_bank.hpp"
+#include "multipath_localization/filters/resampling.hpp"
+#include "multipath_localization/models/odometry_motion.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kLongestFlush = 1.0;    // [s]
+constexpr double kFirstDuration = 0.2;   // data that the first epoch counts for [s]
+constexpr double kLeastDuration = 1e-3;  // [s]
+constexpr double kFullSpeed = 1.0;       // from here on errors change at their full pace [m/s]
+constexpr double kAtRest = 0.1;          // of that pace
+constexpr double kUpClockCorrelation = 0.8;
+constexpr double kGoldenRatio = 0.6180339887498949;
+constexpr double kSettledYawSigma = 0.3;  // [rad]
+constexpr double kUnsettle = 0.8;         // mass of the cluster that ends an alignment
+constexpr std::size_t kCloud = 200;
+constexpr std::uint32_t kSeeding = 0xFFFFFFFEU;  // random streams beside those of hypotheses
+constexpr double kLeastYawStrata = 12.0;
+constexpr double kSeedSigma = 5.0;     // [m]
+constexpr double kSeedLogScale = 3.0;  // tempers the choice of seeds: errors of one epoch mislead
+constexpr int kReseedPart = 4;         // of the hypotheses at the start
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+PseudorangeMixtureFilter::PseudorangeMixtureFilter(const PseudorangeMixtureFilterParameters& parameters,
+                                                   std::uint64_t seed)
+    : parameters_(parameters), seed_(seed), odometry_(parameters.odometry) {}
+
+void PseudorangeMixtureFilter::start(const std::optional<PosePrior>& prior) {
+  bank_.clear();
+  slots_ = SatelliteSlots();
+  cluster_ = place_ = DominantCluster();
+  odometry_.restart(0.0, 0.0);
+  last_ = OdometryIncrement();
+  step_ = 0;
+  last_epoch_ = last_seeding_ = moved_ = settled_over_ = 0.0;
+  has_clock_ = aligned_ = false;
+  if (!prior || !usable(*prior)) return;
+  last_.stamp = last_epoch_ = last_seeding_ = prior->stamp;
+  PseudorangeHypothesis hypothesis = unknown_hypothesis();
+  hypothesis.belief.mean.head<3>() << prior->pose.x, prior->pose.y, wrap_angle(prior->pose.yaw);
+  hypothesis.belief.covariance.topLeftCorner<3, 3>() = prior->covariance;
+  bank_.push_back(hypothesis);
+  aligned_ = prior->covariance(kYaw, kYaw) < square(kSettledYawSigma);
+  refresh();
+}
+
+PseudorangeHypothesis PseudorangeMixtureFilter::unknown_hypothesis() const {
+  using State = PseudorangeBelief;
+  PseudorangeHypothesis hypothesis;
+  auto& P = hypothesis.belief.covariance;
+  P.diagonal().head<2>().setConstant(square(parameters_.start_sigma));
+  P(kYaw, kYaw) = square(kPi / std::max(kLeastYawStrata, static_cast<double>(parameters_.hypotheses)));
+  P(kScale, kScale) = square(parameters_.odometry.scale_sigma);
+  P(kGyroBias, kGyroBias) = square(parameters_.odometry.gyro_bias_sigma);
+  // What lengthens all ranges alike is known better than height and clock.
+  const double up = square(parameters_.start_up_sigma);
+  P(State::kUp, State::kUp) = P(State::kClock, State::kClock) = up;
+  P(State::kUp, State::kClock) = P(State::kClock, State::kUp) = kUpClockCorrelation * up;
+  P(State::kDrift, State::kDrift) = square(parameters_.start_drift_sigma);
+  return hypothesis;
+}
+
+PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeSeed& seed, double yaw,
+                                                              const Eigen::Vector2d& antenna_in_base) const {
+  using State = PseudorangeBelief;
+  PseudorangeHypothesis hypothesis = has_clock_ || bank_.empty() ? unknown_hypothesis() : bank_.front();
+  if (has_clock_ || bank_.empty()) {
+    hypothesis.belief.mean.head<2>() = seed.position.head<2>() - rotation(yaw) * antenna_in_base;
+    hypothesis.belief.mean(kYaw) = yaw;
+  }
+  hypothesis.belief.mean(State::kUp) = seed.position.z();
+  hypothesis.belief.mean(State::kClock) = seed.clock;
+  for (int slot = 0; slot < slots_.size(); ++slot) {
+    const SlotOwner& owner = slots_.owner(slot);
+    const double sigma =
+        owner.satellite ? parameters_.receiver.bias_sigma : parameters_.receiver.offset_sigma;
+    if (State::state_of(slot) == hypothesis.belief.mean.size()) hypothesis.append(square(sigma));
+    if (owner.satellite) continue;
+    hypothesis.belief.mean(State::state_of(slot)) =
+        seed.offset[static_cast<std::size_t>(owner.constellation)];
+  }
+  return hypothesis;
+}
+
+std::optional<AntennaPrior> PseudorangeMixtureFilter::antenna_prior(
+    const Eigen::Vector2d& antenna_in_base) const {
+  if (has_clock_ || bank_.empty()) return std::nullopt;
+  const FixPrediction prediction(bank_.front().belief.planar(), antenna_in_base);
+  return AntennaPrior{prediction.antenna, prediction.antenna_covariance};
+}
+
+bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double probability) {
+  std::vector<SatelliteObservation> observations;
+  for (const SlottedObservation& satellite : epoch.satellites) observations.push_back(satellite.observation);
+  const PseudorangeSeedingParameters settings{parameters_.subsets, kSeedSigma,
+                                              parameters_.receiver.offset_sigma, kSeedLogScale};
+  RandomStream random(seed_, step_, kSeeding);
+  const auto seeds =
+      pseudorange_seeds(observations, antenna_prior(epoch.antenna_in_base), static_cast<std::size_t>(count),
+                        parameters_.errors.mixture, settings, random);
+  if (seeds.empty()) return false;
+  // Headings by the golden ratio: evenly over the circle for each stretch of the seeds.
+  double turn = random.uniform();
+  std::vector<PseudorangeHypothesis> newcomers;
+  for (const PseudorangeSeed& seed : seeds) {
+    newcomers.push_back(hypothesis_at(seed, kPi * (2.0 * turn - 1.0), epoch.antenna_in_base));
+    newcomers.back().log_weight = std::log(probability / static_cast<double>(count));
+    turn = std::fmod(turn + kGoldenRatio, 1.0);
+  }
+  if (!has_clock_) bank_.clear();
+  bank_.insert(bank_.end(), newcomers.begin(), newcomers.end());
+  has_clock_ = true;
+  last_seeding_ = last_.stamp;
+  return true;
+}
+
+void PseudorangeMixtureFilter::predict(const OdometryIncrement& u) {
+  if (!usable(u)) return;
+  last_ = u;
+  if (bank_.empty()) return;
+  odometry_.add(u);
+  if (!standing(u)) moved_ += std::abs(u.speed) * u.duration;
+  if (odometry_.duration() > kLongestFlush) {
+    flush_odometry();
+    refresh();
+  }
+}
+
+void PseudorangeMixtureFilter::flush_odometry() {
+  for (PseudorangeHypothesis& hypothesis : bank_) {
+    hypothesis.belief.propagate(odometry_, parameters_.odometry, parameters_.receiver, slots_);
+  }
+}
+
+void PseudorangeMixtureFilter::refresh() {
+  const std::vector<BeliefParticle> particles = planar(bank_);
+  cluster_ = dominant_cluster(particles);
+  place_ = aligned_ ? cluster_ : dominant_cluster(particles, kPi);
+  odometry_.restart(cluster_.belief.mean(kScale), cluster_.belief.mean(kGyroBias));
+}
+
+Innovation PseudorangeMixtureFilter::update(const Measurement& z) {
+  const auto* epoch = std::get_if<PseudorangeEpoch>(&z);
+  if (epoch == nullptr) return refused(Reason::kUnused);
+  if (const auto reason = defect(*epoch)) return refused(*reason);
+  return weigh(*epoch);
+}
+
+Innovation PseudorangeMixtureFilter::weigh(const PseudorangeEpoch& epoch) {
+  flush_odometry();
+  const SlottedEpoch slotted_epoch = slotted(epoch);
+  if (!has_clock_ && !seed(slotted_epoch, parameters_.hypotheses, 1.0)) {
+    if (!bank_.empty()) refresh();
+    return refused(Reason::kTooFewSatellites);
+  }
+  if (reseeding_due()) {
+    seed(slotted_epoch, std::max(1, parameters_.hypotheses / kReseedPart), parameters_.reseed_probability);
+  }
+  for (PseudorangeHypothesis& hypothesis : bank_) hypothesis.update(slotted_epoch, parameters_.errors);
+  thin_out(bank_, parameters_.least_weight);
+  refresh();
+  update_alignment();
+  while (const auto slot = slots_.stale(last_.stamp - parameters_.slot_time)) release(*slot);
+  last_epoch_ = last_.stamp;
+  moved_ = 0.0;
+  ++step_;
+  Innovation result;
+  result.reason = Reason::kAccepted;
+  return result;
+}
+
+bool PseudorangeMixtureFilter::reseeding_due() const {
+  return !aligned_ && moved_ > 0.0 && last_.stamp - last_seeding_ > parameters_.reseed_interval;
+}
+
+SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
+  SlottedEpoch result;
+  result.antenna_in_base = epoch.antenna_in_base;
+  result.age = std::max(0.0, last_.stamp - epoch.stamp);
+  result.duration = has_clock_ ? std::max(kLeastDuration, last_.stamp - last_epoch_) : kFirstDuration;
+  const double pace = moved_ / result.duration / kFullSpeed;
+  result.information = result.duration * (has_clock_ ? std::clamp(pace, kAtRest, 1.0) : 1.0);
+  result.bias_variance = square(parameters_.receiver.bias_sigma);
+  result.speed = last_.speed;
+  result.yaw_rate = last_.yaw_rate;
+  for (const SatelliteObservation& observation : usable_observations(epoch)) {
+    SlottedObservation satellite;
+    satellite.observation = observation;
+    satellite.prior = line_of_sight_prior(observation, parameters_.errors.mixture);
+    satellite.delay = mean_nlos_delay(observation.elevation, parameters_.errors.mixture);
+    if (observation.constellation != Constellation::kGps) {
+      const auto offset =
+          slot_of({observation.constellation, std::nullopt}, square(parameters_.receiver.offset_sigma));
+      if (!offset) continue;
+      satellite.offset_slot = *offset;
+    }
+    const auto bias =
+        slot_of({observation.constellation, observation.satellite}, square(parameters_.receiver.bias_sigma));
+    if (!bias) continue;
+    satellite.bias_slot = *bias;
+    result.satellites.push_back(satellite);
+  }
+  // The surest first: the others are then judged against what these say.
+  std::stable_sort(result.satellites.begin(), result.satellites.end(),
+                   [](const auto& a, const auto& b) { return a.prior > b.prior; });
+  return result;
+}
+
+std::optional<int> PseudorangeMixtureFilter::slot_of(const SlotOwner& owner, double variance) {
+  if (const auto slot = slots_.find(owner, last_.stamp)) return slot;
+  if (slots_.full()) {
+    const auto stale = slots_.stale(last_.stamp);
+    if (!stale) return std::nullopt;
+    release(*stale);
+  }
+  for (PseudorangeHypothesis& hypothesis : bank_) hypothesis.append(variance);
+  return slots_.append(owner, last_.stamp);
+}
+
+void PseudorangeMixtureFilter::release(int slot) {
+  for (PseudorangeHypothesis& hypothesis : bank_) hypothesis.remove(slot);
+  slots_.remove(slot);
+}
+
+void PseudorangeMixtureFilter::update_alignment() {
+  const bool settled = cluster_.mass >= parameters_.align_probability &&
+                       cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
+  settled_over_ = settled ? settled_over_ + moved_ : 0.0;
+  if (cluster_.mass < kUnsettle) aligned_ = false;
+  if (settled && settled_over_ >= parameters_.align_distance) aligned_ = true;
+}
+
+Belief PseudorangeMixtureFilter::current(const Belief& belief) const {
+  Belief moved = belief;
+  moved.propagate(odometry_, parameters_.odometry);
+  return moved;
+}
+
+PoseEstimate PseudorangeMixtureFilter::estimate() const {
+  PoseEstimate result;
+  result.stamp = last_.stamp;
+  if (bank_.empty()) return result;
+  Belief belief = current(cluster_.belief);
+  if (!aligned_) {
+    const Belief place = current(place_.belief);
+    belief.mean.head<2>() = place.mean.head<2>();
+    belief.covariance.topLeftCorner<3, 3>() = place.covariance.topLeftCorner<3, 3>();
+  }
+  const Eigen::Matrix2d floor = square(parameters_.position_sigma_floor) * Eigen::Matrix2d::Identity();
+  result.valid = true;
+  result.aligned = aligned_;
+  result.pose = belief.pose();
+  result.covariance = belief.covariance.topLeftCorner<3, 3>();
+  result.covariance.topLeftCorner<2, 2>() += floor;
+  result.dominance = cluster_.mass;
+  result.position_covariance_overall = place_.overall_position_covariance + floor;
+  result.shadow_probability = cluster_.shadow;
+  double squares = 0.0;
+  for (const double weight : weights_of(bank_)) squares += square(weight);
+  result.effective_sample_size = 1.0 / squares;
+  return result;
+}
+
+std::vector<Hypothesis> PseudorangeMixtureFilter::hypotheses() const {
+  std::vector<Hypothesis> cloud;
+  if (bank_.empty()) return cloud;
+  const std::vector<BeliefParticle> particles = planar(bank_);
+  const std::vector<double> weights = weights_of(bank_);
+  const auto ancestors = systematic_resampling(weights, kCloud, 0.5);
+  for (std::size_t i = 0; i < ancestors.size(); ++i) {
+    const Belief belief = current(particles[ancestors[i]].belief);
+    const Eigen::Matrix3d root = belief.covariance.topLeftCorner<3, 3>().llt().matrixL();
+    RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
+    Eigen::Vector3d d;
+    for (double& component : d.reshaped()) component = random.normal();
+    d = root * d;
+    const Pose2 pose{belief.mean(kX) + d.x(), belief.mean(kY) + d.y(), wrap_angle(belief.mean(kYaw) + d.z())};
+    cloud.push_back({pose, 1.0 / static_cast<double>(kCloud),
+                     particles[ancestors[i]].mode.shadow ? Mode::kShadow : Mode::kOpen});
+  }
+  return cloud;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "multipath_localization/core/random.hpp"
+#include "multipath_localization/estimators/pseudorange_belief.hpp"
+
+namespace multipath_localization {
+namespace {
+
+using State = PseudorangeBelief;
+
+const OdometryNoise kOdometry;
+const ReceiverStateNoise kNoise;
+
+/// Some belief with two satellites and an offset, and everything correlated.
+PseudorangeBelief random_belief(std::uint64_t seed) {
+  PseudorangeBelief belief;
+  for (int i = 0; i < 3; ++i) belief.append(1.0);
+  RandomStream random(seed, 0, 0);
+  const Eigen::Index n = belief.mean.size();
+  Eigen::MatrixXd A(n, n);
+  for (double& a : A.reshaped()) a = random.normal();
+  for (double& x : belief.mean.reshaped()) x = random.normal();
+  belief.covariance = A * A.transpose() + Eigen::MatrixXd::Identity(n, n);
+  return belief;
+}
+
+SatelliteSlots three_slots() {
+  SatelliteSlots slots;
+  slots.append({Constellation::kGps, 1}, 0.0);
+  slots.append({Constellation::kGlonass, std::nullopt}, 0.0);
+  slots.append({Constellation::kGlonass, 1}, 0.0);
+  return slots;
+}
+
+SparseRow random_row(RandomStream& random) {
+  SparseRow H;
+  for (const int state : {int(kX), int(kY), int(State::kUp), int(State::kClock), State::state_of(1)}) {
+    H.set(state, random.normal());
+  }
+  return H;
+}
+
+TEST(PseudorangeBelief, UpdatesOneByOneEqualTheBatch) {
+  PseudorangeBelief belief = random_belief(1);
+  const Eigen::VectorXd x = belief.mean;
+  const Eigen::MatrixXd P = belief.covariance;
+  const int m = 4;
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(m, x.size());
+  Eigen::VectorXd z(m);
+  RandomStream random(2, 0, 0);
+  for (int k = 0; k < m; ++k) {
+    const SparseRow row = random_row(random);
+    for (int i = 0; i < row.size(); ++i) H(k, row.state(i)) = row.value(i);
+    z(k) = random.normal();
+    const State::Vector PHt = belief.covariance_with(row);
+    belief.correct(PHt, row.dot(PHt) + 0.5, z(k) - row.dot(belief.mean));
+  }
+  const Eigen::MatrixXd S = H * P * H.transpose() + 0.5 * Eigen::MatrixXd::Identity(m, m);
+  const Eigen::MatrixXd K = P * H.transpose() * S.inverse();
+  EXPECT_LT((belief.mean - (x + K * (z - H * x))).norm(), 1e-9);
+  EXPECT_LT((belief.covariance - (P - K * H * P)).norm(), 1e-9);
+}
+
+TEST(PseudorangeBelief, PlanarPartMovesAsThatOfTheFixFilter) {
+  PseudorangeBelief belief = random_belief(3);
+  Belief planar = belief.planar();
+  PreintegratedOdometry odometry(kOdometry);
+  odometry.restart(0.01, 0.002);
+  for (int i = 1; i <= 20; ++i) odometry.add({0.1 * i, 0.1, 5.0, 0.3});
+  ReceiverStateNoise noise;
+  noise.position_walk = 0.0;
+  belief.propagate(odometry, kOdometry, noise, three_slots());
+  planar.propagate(odometry, kOdometry);
+  EXPECT_LT((belief.planar().mean - planar.mean).norm(), 1e-12);
+  EXPECT_LT((belief.planar().covariance - planar.covariance).norm(), 1e-9);
+}
+
+TEST(PseudorangeBelief, ClockMovesByItsDriftAndBiasesDecay) {
+  PseudorangeBelief belief = random_belief(4);
+  const State::Vector x = belief.mean;
+  const State::Matrix P = belief.covariance;
+  PreintegratedOdometry odometry(kOdometry);
+  odometry.add({2.0, 2.0, 0.0, 0.0});
+  belief.propagate(odometry, kOdometry, kNoise, three_slots());
+  EXPECT_NEAR(belief.mean(State::kClock), x(State::kClock) + 2.0 * x(State::kDrift), 1e-12);
+  EXPECT_NEAR(belief.covariance(State::kClock, State::kClock),
+              P(State::kClock, State::kClock) + 4.0 * P(State::kClock, State::kDrift) +
+                  4.0 * P(State::kDrift, State::kDrift) + 2.0 * kNoise.clock_walk * kNoise.clock_walk,
+              1e-9);
+  const double kept = std::exp(-2.0 / kNoise.bias_time);
+  EXPECT_NEAR(belief.mean(State::state_of(0)), kept * x(State::state_of(0)), 1e-12);
+  EXPECT_NEAR(belief.mean(State::state_of(1)), x(State::state_of(1)), 1e-12);
+  EXPECT_NEAR(belief.covariance(kX, State::state_of(2)), kept * P(kX, State::state_of(2)), 1e-12);
+}
+
+TEST(PseudorangeBelief, SlotsComeAndGoWithoutTouchingTheOthers) {
+  PseudorangeBelief belief = random_belief(5);
+  const State::Matrix P = belief.covariance;
+  belief.append(16.0);
+  EXPECT_EQ(belief.covariance(State::state_of(3), State::state_of(3)), 16.0);
+  EXPECT_EQ(belief.covariance(State::state_of(3), kX), 0.0);
+  belief.remove(3);
+  EXPECT_EQ(belief.covariance, P);
+  belief.remove(0);  // the last, slot 2, is slot 0 now
+  EXPECT_EQ(belief.covariance(State::state_of(0), State::state_of(0)),
+            P(State::state_of(2), State::state_of(2)));
+  EXPECT_EQ(belief.covariance(State::state_of(0), kYaw), P(State::state_of(2), kYaw));
+  EXPECT_EQ(belief.covariance(State::state_of(0), State::state_of(1)),
+            P(State::state_of(2), State::state_of(1)));
+}
+
+TEST(PseudorangeBelief, CovarianceStaysSymmetricAndPositiveForAnHour) {
+  PseudorangeBelief belief = random_belief(6);
+  belief.covariance *= 1e4;
+  const SatelliteSlots slots = three_slots();
+  RandomStream random(7, 0, 0);
+  PreintegratedOdometry odometry(kOdometry);
+  for (int second = 0; second < 3600; ++second) {
+    odometry.restart(belief.mean(kScale), belief.mean(kGyroBias));
+    odometry.add({1.0 * second, 1.0, 5.0, 0.1});
+    belief.propagate(odometry, kOdometry, kNoise, slots);
+    for (int k = 0; k < 12; ++k) {
+      const SparseRow H = random_row(random);
+      const State::Vector PHt = belief.covariance_with(H);
+      belief.correct(PHt, H.dot(PHt) + 0.01, 0.0);
+    }
+  }
+  EXPECT_EQ(belief.covariance, State::Matrix(belief.covariance.transpose()));
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(belief.covariance).eigenvalues().minCoeff(), 0.0);
+}
+
+}  // namespace
+}  // namespace multipath_localization
