@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "multipath_localization/rinex/broadcast_orbit.hpp"
+#include "multipath_localization/rinex/glonass_orbit.hpp"
+
+namespace multipath_localization {
+
+/// What a satellite broadcasts of its orbit and clock.
+using Ephemeris = std::variant<BroadcastOrbit, GlonassOrbit>;
+
+SatelliteState satellite_state(const Ephemeris& ephemeris, const GnssTime& time);
+
+/// Of the signal whose pseudoranges are used: L1, E1, B1I or GLONASS's channel of L1 [Hz].
+double carrier_frequency(const Ephemeris& ephemeris);
+
+/// By how much that signal leaves later than the satellite's clock says [s].
+double group_delay(const Ephemeris& ephemeris);
+
+/// All that satellites broadcast in some span of time.
+class Ephemerides {
+ public:
+  void add(const Ephemeris& ephemeris);
+
+  /// The one of the satellite whose reference time is nearest, of two equally near the one that was added
+  /// first. Nothing when that is farther off than it may be used for (GPS and QZSS 2 h, Galileo 4 h, BeiDou
+  /// 6 h, GLONASS 30 min) or calls the satellite unhealthy.
+  [[nodiscard]] const Ephemeris* find(const SatelliteId& satellite, const GnssTime& time) const;
+
+  [[nodiscard]] bool empty() const { return by_satellite_.empty(); }
+
+ private:
+  std::map<SatelliteId, std::vector<Ephemeris>> by_satellite_;
+};
+
+/// When the signal left that a receiver heard at `reception`, by its own clock, as a pseudorange [m]: the
+/// receiver's clock error is in both and goes out.
+GnssTime transmission_time(const Ephemeris& ephemeris, const GnssTime& reception, double pseudorange);
+
+}  // namespace multipath_localization

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "multipath_localization/rinex/gnss_time.hpp"
+
+namespace multipath_localization {
+
+/// A RINEX file that cannot be used. The text names the file, the line and the reason.
+class RinexError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a file of fixed columns, which are counted from 0 here, line by line. All throw RinexError.
+class LineReader {
+ public:
+  explicit LineReader(const std::string& file);
+
+  /// Goes to the next line; false at the end of the file. Lines of over 20 000 characters are refused.
+  bool next();
+
+  /// The same, where the file must not end.
+  void require_next(const char* within);
+
+  /// Makes `next` give the same line again.
+  void put_back() { kept_ = true; }
+
+  /// The current line, without its end.
+  [[nodiscard]] const std::string& line() const { return line_; }
+
+  /// These columns, as far as the line goes.
+  [[nodiscard]] std::string_view columns(std::size_t first, std::size_t width) const;
+
+  /// The same without blanks round it.
+  [[nodiscard]] std::string text(std::size_t first, std::size_t width) const;
+
+  /// The number there, its exponent marked by E or D; nothing where the columns are blank.
+  [[nodiscard]] std::optional<double> number(std::size_t first, std::size_t width) const {
+    return number(columns(first, width));
+  }
+  [[nodiscard]] std::optional<double> number(std::string_view field) const;
+
+  /// The integer there; blank columns are refused as anything else is.
+  [[nodiscard]] int integer(std::size_t first, std::size_t width) const;
+
+  /// The header label at column 60.
+  [[nodiscard]] std::string label() const { return text(60, 20); }
+
+  /// An error at the current line, at the one before when it was put back.
+  [[nodiscard]] RinexError error(const std::string& reason) const;
+
+ private:
+  std::string file_;
+  std::ifstream in_;
+  std::string line_;
+  std::size_t number_ = 0;
+  bool kept_ = false;
+};
+
+/// What the first line of a RINEX file says.
+struct FileKind {
+  double version = 0.0;
+  char type = ' ';    ///< O: observations, N, G, ...: navigation
+  char system = ' ';  ///< letter of the satellite system, M: several, blank: GPS
+
+  [[nodiscard]] bool version_2() const { return version < 3.0; }
+};
+
+/// Reads the first line. Throws RinexError for all but RINEX 2.00 to 2.12 and 3.00 to 3.05.
+FileKind read_kind(LineReader& in);
+
+/// Date and time in columns of width 2 and a blank each (the year of 4 where `digits_of_year` is), seconds in
+/// the last `width_of_second` columns. Throws RinexError.
+CalendarTime calendar_time(const LineReader& in, std::size_t first, std::size_t digits_of_year,
+                           std::size_t width_of_second);
+
+}  // namespace multipath_localization

@@ -1,0 +1,72 @@
+#include "multipath_localization/rinex/ephemerides.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "multipath_localization/core/geodesy.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kL1 = 1575.42e6;                                                                    // [Hz]
+constexpr double kB1I = 1561.098e6;                                                                  // [Hz]
+constexpr double kGlonassL1 = 1602.0e6;                                                              // [Hz]
+constexpr double kGlonassStep = 562.5e3;                                                             // [Hz]
+constexpr std::array<double, kConstellations> kUsable = {7200.0, 1800.0, 14400.0, 21600.0, 7200.0};  // [s]
+
+const SatelliteId& satellite_of(const Ephemeris& ephemeris) {
+  return std::visit([](const auto& e) -> const SatelliteId& { return e.satellite; }, ephemeris);
+}
+
+double distance(const Ephemeris& ephemeris, const GnssTime& time) {
+  return std::abs(std::visit([&](const auto& e) { return e.reference - time; }, ephemeris));
+}
+
+bool healthy(const Ephemeris& ephemeris) {
+  return std::visit([](const auto& e) { return e.healthy; }, ephemeris);
+}
+
+}  // namespace
+
+SatelliteState satellite_state(const Ephemeris& ephemeris, const GnssTime& time) {
+  return std::visit([&](const auto& e) { return satellite_state(e, time); }, ephemeris);
+}
+
+double carrier_frequency(const Ephemeris& ephemeris) {
+  if (const auto* glonass = std::get_if<GlonassOrbit>(&ephemeris)) {
+    return kGlonassL1 + glonass->channel * kGlonassStep;
+  }
+  return satellite_of(ephemeris).constellation == Constellation::kBeidou ? kB1I : kL1;
+}
+
+double group_delay(const Ephemeris& ephemeris) {
+  const auto* orbit = std::get_if<BroadcastOrbit>(&ephemeris);
+  return orbit != nullptr ? orbit->group_delay : 0.0;
+}
+
+void Ephemerides::add(const Ephemeris& ephemeris) {
+  by_satellite_[satellite_of(ephemeris)].push_back(ephemeris);
+}
+
+const Ephemeris* Ephemerides::find(const SatelliteId& satellite, const GnssTime& time) const {
+  const auto known = by_satellite_.find(satellite);
+  if (known == by_satellite_.end()) return nullptr;
+  const auto nearest = std::min_element(
+      known->second.begin(), known->second.end(),
+      [&](const Ephemeris& a, const Ephemeris& b) { return distance(a, time) < distance(b, time); });
+  const double usable = kUsable.at(static_cast<std::size_t>(satellite.constellation));
+  return healthy(*nearest) && distance(*nearest, time) <= usable ? &*nearest : nullptr;
+}
+
+GnssTime transmission_time(const Ephemeris& ephemeris, const GnssTime& reception, double pseudorange) {
+  const GnssTime by_its_clock = reception + -pseudorange / kSpeedOfLight;
+  GnssTime time = by_its_clock;
+  // The clock is asked for at a time that is wrong by the clock itself, which drifts by 1e-11: twice is
+  // exact.
+  for (int i = 0; i < 2; ++i) time = by_its_clock + -satellite_state(ephemeris, time).clock;
+  return time;
+}
+
+}  // namespace multipath_localization

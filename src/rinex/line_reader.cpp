@@ -1,0 +1,124 @@
+#include "multipath_localization/rinex/line_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr std::size_t kLongestLine = 20000;  // 999 kinds of observations of 16 columns each
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// Up to the newline or one more character than a line may have: no file makes this read a gigabyte.
+bool read_line(std::istream& in, std::string& line) {
+  line.clear();
+  for (int c = in.get(); c != std::istream::traits_type::eof(); c = in.get()) {
+    if (c == '\n') return true;
+    line += static_cast<char>(c);
+    if (line.size() > kLongestLine) return true;
+  }
+  return !line.empty();
+}
+
+}  // namespace
+
+LineReader::LineReader(const std::string& file) : file_(file), in_(file) {
+  if (!in_ || in_.peek() == std::ifstream::traits_type::eof()) {
+    throw RinexError(file + ": cannot be read or is empty");
+  }
+}
+
+bool LineReader::next() {
+  if (kept_) {
+    kept_ = false;
+    return true;
+  }
+  if (!read_line(in_, line_)) return false;
+  ++number_;
+  if (line_.size() > kLongestLine) throw error("a line of over 20000 characters");
+  if (!line_.empty() && line_.back() == '\r') line_.pop_back();
+  return true;
+}
+
+void LineReader::require_next(const char* within) {
+  if (!next()) throw error(std::string("the file ends within ") + within);
+}
+
+std::string_view LineReader::columns(std::size_t first, std::size_t width) const {
+  const std::string_view line = line_;
+  return first < line.size() ? line.substr(first, width) : std::string_view();
+}
+
+std::string LineReader::text(std::size_t first, std::size_t width) const {
+  return std::string(trimmed(columns(first, width)));
+}
+
+std::optional<double> LineReader::number(std::string_view field) const {
+  std::string text(trimmed(field));
+  if (text.empty()) return std::nullopt;
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool plain = text.find_first_not_of("0123456789+-.eE") == std::string::npos;
+  if (!plain || *end != '\0' || !std::isfinite(value)) throw error("'" + text + "' is not a number");
+  return value;
+}
+
+int LineReader::integer(std::size_t first, std::size_t width) const {
+  const std::optional<double> value = number(first, width);
+  if (!value || *value != std::floor(*value) || std::abs(*value) > 1e6) {
+    throw error("'" + text(first, width) + "' is not an integer");
+  }
+  return static_cast<int>(*value);
+}
+
+RinexError LineReader::error(const std::string& reason) const {
+  return RinexError(file_ + ":" + std::to_string(kept_ ? number_ - 1 : number_) + ": " + reason);
+}
+
+FileKind read_kind(LineReader& in) {
+  in.require_next("its first line");
+  if (in.label().rfind("CRINEX", 0) == 0) throw in.error("compressed by Hatanaka's method; expand it first");
+  if (in.label() != "RINEX VERSION / TYPE") throw in.error("not a RINEX file");
+  FileKind kind;
+  kind.version = in.number(0, 9).value_or(0.0);
+  const bool known =
+      (kind.version >= 2.0 && kind.version < 2.125) || (kind.version >= 3.0 && kind.version < 3.055);
+  if (!known) {
+    throw in.error("RINEX version '" + in.text(0, 9) + "'; 2.00 to 2.12 and 3.00 to 3.05 are read");
+  }
+  const auto letter = [&](std::size_t column) {
+    const std::string_view columns = in.columns(column, 1);
+    return columns.empty() ? ' ' : columns.front();
+  };
+  kind.type = letter(20);
+  kind.system = letter(40);
+  return kind;
+}
+
+CalendarTime calendar_time(const LineReader& in, std::size_t first, std::size_t digits_of_year,
+                           std::size_t width_of_second) {
+  CalendarTime time;
+  time.year = in.integer(first, digits_of_year);
+  if (digits_of_year == 2) time.year = year_of_two_digits(time.year);
+  const std::size_t month = first + digits_of_year;
+  time.month = in.integer(month, 3);
+  time.day = in.integer(month + 3, 3);
+  time.hour = in.integer(month + 6, 3);
+  time.minute = in.integer(month + 9, 3);
+  const std::optional<double> second = in.number(month + 12, width_of_second);
+  if (!second) throw in.error("no second in the time");
+  time.second = *second;
+  return time;
+}
+
+}  // namespace multipath_localization
