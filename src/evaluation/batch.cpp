@@ -25,11 +25,11 @@ void run_over(const Scenario& scenario, const Batch& batch, const EstimatorFacto
   run.drive = std::move(result.drive);
 }
 
-void make_run(const Stream& stream, const Batch& batch, const std::string& parameters,
-              const ProgressReport& progress, RunRecord& run) {
+void make_run(const Stream& stream, const Batch& batch, const std::string& name,
+              const std::string& parameters, const ProgressReport& progress, RunRecord& run) {
   const double started = thread_cpu_time();
   try {
-    const auto make = [&] { return make_estimator(run.estimator, YAML::Load(parameters), run.seed); };
+    const auto make = [&] { return make_estimator(name, YAML::Load(parameters), run.seed); };
     std::visit([&](const auto& s) { run_over(s, batch, make, progress, run); }, stream);
   } catch (const std::exception& error) {
     run.failure = error.what();
@@ -47,11 +47,11 @@ std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
                                        const ParameterOverrides& overrides) {
   const auto* scenario = std::get_if<Scenario>(&stream);
   std::vector<std::string> all;
-  for (const std::string& name : batch.estimators) {
+  for (const EstimatorVariant& variant : batch.estimators) {
     const bool tuned = scenario != nullptr && scenario->localization.IsMap();
-    const YAML::Node base = tuned ? scenario->localization[name] : YAML::Node();
-    const YAML::Node parameters = overrides.over(base, name);
-    make_estimator(name, parameters, 1);
+    const YAML::Node base = tuned ? scenario->localization[variant.name] : YAML::Node();
+    const YAML::Node parameters = over(overrides.over(base, variant.name), variant);
+    make_estimator(variant.name, parameters, 1);
     all.push_back(YAML::Dump(parameters));
   }
   return all;
@@ -61,11 +61,11 @@ std::vector<RunRecord> run_batch(const Batch& batch, const Stream& stream,
                                  const std::vector<std::string>& parameters,
                                  const std::function<void(std::size_t, double)>& progress) {
   std::vector<RunRecord> runs;
-  for (const std::string& name : batch.estimators) {
+  for (const EstimatorVariant& variant : batch.estimators) {
     for (std::uint64_t seed = 1; seed <= batch.seeds; ++seed) {
       runs.emplace_back();
       runs.back().source = batch.source;
-      runs.back().estimator = name;
+      runs.back().estimator = variant.label;
       runs.back().seed = seed;
     }
   }
@@ -73,7 +73,8 @@ std::vector<RunRecord> run_batch(const Batch& batch, const Stream& stream,
     const auto report = [&](double fraction) {
       if (progress) progress(i, fraction);
     };
-    make_run(stream, batch, parameters[i / batch.seeds], report, runs[i]);
+    const std::size_t variant = i / batch.seeds;
+    make_run(stream, batch, batch.estimators[variant].name, parameters[variant], report, runs[i]);
     report(1.0);
   });
   return runs;

@@ -50,12 +50,27 @@ TruthSample truth_of(const Simulator& simulator) {
   return sample;
 }
 
-/// What the follower knows of the localisation: published with each odometry.
+/// What the follower knows of where the robot is: published with each odometry.
 struct Published {
   double stamp = -std::numeric_limits<double>::infinity();
   Pose2 pose;
   Trust trust = Trust::kNotReady;
 };
+
+/// What the follower is told at the end of a step.
+Published published_by(const Scenario& scenario, const Simulator& simulator, const PoseEstimate& estimate,
+                       Trust trust) {
+  if (scenario.steered_on_truth) return {simulator.time(), simulator.truth(), Trust::kGood};
+  return {simulator.time(), estimate.pose, trust};
+}
+
+MotionCommand next_command(const Scenario& scenario, WaypointFollower& follower, const Published& published,
+                           double time) {
+  if (!scenario.sequence.empty()) {
+    return command_at(scenario.sequence, time, scenario.simulator.robot.wheelbase);
+  }
+  return follower.command(published.pose, time - published.stamp, published.trust).command;
+}
 
 }  // namespace
 
@@ -74,23 +89,22 @@ ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const E
   std::optional<OdometryIncrement> last;
   const auto steps = static_cast<std::int64_t>(std::llround(scenario.duration / simulator.time_step()));
   for (std::int64_t step = 0; step < steps; ++step) {
-    const MotionCommand command =
-        follower.command(published.pose, simulator.time() - published.stamp, published.trust).command;
+    const MotionCommand command = next_command(scenario, follower, published, simulator.time());
     const Readings readings = simulator.step(command);
     if (readings.odometry) {
       localizer.add(*readings.odometry);
       run.drive.odometry.push_back(*readings.odometry);
       last = readings.odometry;
     }
-    for (const GnssFix& fix : readings.fixes) {
-      localizer.add(Measurement(fix));
-      run.drive.fixes.push_back({fix, simulator.time()});
+    for (const Measurement& measurement : readings.measurements) {
+      localizer.add(measurement);
+      run.drive.measurements.push_back({measurement, simulator.time()});
     }
     localizer.take_reports();
     run.drive.truth.push_back(truth_of(simulator));
     const PoseEstimate estimate = localizer.estimate();
     run.epochs.push_back(epoch_of(estimate, run.drive.truth.back(), last));
-    if (readings.odometry) published = {simulator.time(), estimate.pose, localizer.state()};
+    if (readings.odometry) published = published_by(scenario, simulator, estimate, localizer.state());
     watch.see(simulator.truth().position(), command, simulator.time_step());
     if (progress && step % 64 == 0) progress(static_cast<double>(step) / static_cast<double>(steps));
   }

@@ -49,7 +49,7 @@ CsvTable::CsvTable(const std::string& file, const std::vector<std::string>& requ
 }
 
 double CsvTable::number(std::size_t row, const std::string& column) const {
-  const std::string& cell = cells_[row][columns_.at(column)];
+  const std::string& cell = text(row, column);
   char* end = nullptr;
   const double value = std::strtod(cell.c_str(), &end);
   if (cell.empty() || *end != '\0' || !std::isfinite(value)) {

@@ -1,13 +1,19 @@
 #include "multipath_localization/evaluation/drive.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+
+#include "multipath_localization/evaluation/doppler_odometry.hpp"
+#include "multipath_localization/evaluation/pseudorange_file.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
 constexpr double kFirstInterval = 1e-3;
+const std::vector<std::string> kFixColumns = {"t",         "lat_deg",   "lon_deg",
+                                              "cov_ee_m2", "cov_en_m2", "cov_nn_m2"};
 
 double stamp_in_order(const CsvTable& table, std::size_t row) {
   const double stamp = table.number(row, "t");
@@ -32,14 +38,33 @@ std::vector<OdometryIncrement> read_odometry(const std::string& file) {
   return increments(samples);
 }
 
-RecordedFix read_fix(const CsvTable& table, std::size_t row, const LocalFrame& map) {
-  RecordedFix recorded;
-  recorded.fix.stamp = stamp_in_order(table, row);
-  recorded.fix.position = map.to_map(point(table, row));
+/// The motion by Doppler of a drive without wheel odometry.
+std::vector<OdometryIncrement> odometry_by_doppler(const std::vector<RecordedMeasurement>& epochs,
+                                                   const std::string& directory,
+                                                   std::vector<std::string>& notices) {
+  std::vector<PseudorangeEpoch> plain;
+  plain.reserve(epochs.size());
+  for (const RecordedMeasurement& epoch : epochs)
+    plain.push_back(std::get<PseudorangeEpoch>(epoch.measurement));
+  const DopplerTrack track = doppler_track(plain);
+  if (track.samples.size() < 2)
+    throw DriveError(directory + ": neither odometry.csv nor velocity by Doppler");
+  notices.emplace_back("no odometry.csv, motion is by Doppler velocity");
+  if (track.held > 0) {
+    notices.push_back("of " + std::to_string(track.samples.size()) + " epochs " + std::to_string(track.held) +
+                      " have no Doppler velocity: the last one is held, for " +
+                      std::to_string(std::lround(track.longest_hold)) + " s at the longest");
+  }
+  return odometry_of(track.samples);
+}
+
+RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, const LocalFrame& map) {
+  GnssFix fix;
+  fix.stamp = stamp_in_order(table, row);
+  fix.position = map.to_map(point(table, row));
   const double cross = table.number(row, "cov_en_m2");
-  recorded.fix.covariance << table.number(row, "cov_ee_m2"), cross, cross, table.number(row, "cov_nn_m2");
-  recorded.arrival = table.has("t_arrival") ? table.number(row, "t_arrival") : recorded.fix.stamp;
-  return recorded;
+  fix.covariance << table.number(row, "cov_ee_m2"), cross, cross, table.number(row, "cov_nn_m2");
+  return {fix, table.has("t_arrival") ? table.number(row, "t_arrival") : fix.stamp};
 }
 
 TruthSample read_truth_sample(const CsvTable& table, std::size_t row, const LocalFrame& map) {
@@ -52,12 +77,32 @@ TruthSample read_truth_sample(const CsvTable& table, std::size_t row, const Loca
   return sample;
 }
 
+/// Empty where there is no such file.
+std::vector<TruthSample> read_truth(const std::string& file, const LocalFrame& map) {
+  if (!std::filesystem::exists(file)) return {};
+  const CsvTable table(file, {"t", "lat_deg", "lon_deg"});
+  std::vector<TruthSample> truth;
+  for (std::size_t i = 0; i < table.rows(); ++i) truth.push_back(read_truth_sample(table, i, map));
+  return truth;
+}
+
 }  // namespace
 
 double Drive::start() const {
   double first = odometry.front().stamp - odometry.front().duration;
   if (!truth.empty()) first = std::min(first, truth.front().stamp);
   return first;
+}
+
+std::vector<GnssFix> Drive::fixes() const {
+  std::vector<GnssFix> all;
+  for (const RecordedMeasurement& recorded : measurements) {
+    if (const auto* fix = std::get_if<GnssFix>(&recorded.measurement)) all.push_back(*fix);
+    if (const auto* two = std::get_if<DualAntennaFix>(&recorded.measurement)) {
+      all.insert(all.end(), {two->left, two->right});
+    }
+  }
+  return all;
 }
 
 std::vector<OdometryIncrement> increments(const std::vector<TwistSample>& samples) {
@@ -96,19 +141,30 @@ Drive read_drive(const std::string& directory) {
   const std::filesystem::path folder = directory;
   Drive drive;
   drive.name = (folder / "").parent_path().filename().string();
-  drive.odometry = read_odometry(folder / "odometry.csv");
 
-  const CsvTable fixes(folder / "fix.csv",
-                       {"t", "lat_deg", "lon_deg", "cov_ee_m2", "cov_en_m2", "cov_nn_m2"});
-  if (fixes.rows() == 0) throw DriveError((folder / "fix.csv").string() + ": no fix");
-  drive.datum = point(fixes, 0);
+  std::optional<CsvTable> fixes;
+  std::optional<PseudorangeFile> pseudoranges;
+  if (exists(folder / "fix.csv")) {
+    fixes.emplace(folder / "fix.csv", kFixColumns);
+    if (fixes->rows() == 0) throw DriveError((folder / "fix.csv").string() + ": no fix");
+  }
+  if (exists(folder / "pseudoranges.csv")) pseudoranges.emplace(folder / "pseudoranges.csv");
+  if (!fixes && !pseudoranges) throw DriveError(directory + ": neither fix.csv nor pseudoranges.csv");
+  drive.datum = fixes ? point(*fixes, 0) : pseudoranges->first_position();
   const LocalFrame map(drive.datum);
-  for (std::size_t i = 0; i < fixes.rows(); ++i) drive.fixes.push_back(read_fix(fixes, i, map));
-  std::stable_sort(drive.fixes.begin(), drive.fixes.end(),
-                   [](const RecordedFix& a, const RecordedFix& b) { return a.arrival < b.arrival; });
+  const auto epochs = pseudoranges ? pseudoranges->epochs(map) : std::vector<RecordedMeasurement>();
+  drive.odometry = exists(folder / "odometry.csv") ? read_odometry(folder / "odometry.csv")
+                                                   : odometry_by_doppler(epochs, directory, drive.notices);
+  for (std::size_t i = 0; fixes && i < fixes->rows(); ++i) {
+    drive.measurements.push_back(read_fix(*fixes, i, map));
+  }
+  drive.measurements.insert(drive.measurements.end(), epochs.begin(), epochs.end());
+  std::stable_sort(
+      drive.measurements.begin(), drive.measurements.end(),
+      [](const RecordedMeasurement& a, const RecordedMeasurement& b) { return a.arrival < b.arrival; });
 
-  const CsvTable truth(folder / "truth.csv", {"t", "lat_deg", "lon_deg"});
-  for (std::size_t i = 0; i < truth.rows(); ++i) drive.truth.push_back(read_truth_sample(truth, i, map));
+  drive.truth = read_truth(folder / "truth.csv", map);
+  if (drive.truth.empty()) drive.notices.emplace_back("no truth, nothing is scored");
   return drive;
 }
 

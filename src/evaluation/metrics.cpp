@@ -101,12 +101,12 @@ Score score(const std::vector<Epoch>& epochs, double from) {
 
 Score score_fixes(const Drive& drive, double from) {
   std::vector<PositionError> errors;
-  for (const RecordedFix& recorded : drive.fixes) {
-    if (recorded.fix.stamp < from) continue;
-    const std::optional<TruthSample> truth = truth_at(drive.truth, recorded.fix.stamp);
+  for (const GnssFix& fix : drive.fixes()) {
+    if (fix.stamp < from) continue;
+    const std::optional<TruthSample> truth = truth_at(drive.truth, fix.stamp);
     if (!truth) continue;
-    const Eigen::Vector2d antenna = antenna_in_map(*truth, recorded.fix.antenna_in_base);
-    errors.push_back({(recorded.fix.position - antenna).norm(), truth->shadow});
+    const Eigen::Vector2d antenna = antenna_in_map(*truth, fix.antenna_in_base);
+    errors.push_back({(fix.position - antenna).norm(), truth->shadow});
   }
   Score score;
   summarise(errors, score);

@@ -5,9 +5,9 @@
 #include <functional>
 #include <numeric>
 #include <sstream>
-#include <string_view>
 
 #include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/evaluation/json.hpp"
 
 namespace multipath_localization {
 
@@ -20,25 +20,13 @@ std::string number(double value, int digits) {
   return out.str();
 }
 
-std::string quoted(const std::string& text) {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += {'\\', c};
-    } else if (code < 0x20) {
-      out += "\\u00";
-      out += {kHex[code / 16], kHex[code % 16]};
-    } else {
-      out += c;
-    }
-  }
-  return out + "\"";
-}
-
 std::string json(std::optional<double> value) {
   return value && std::isfinite(*value) ? number(*value, 6) : "null";
+}
+
+/// The same for the table: one digit more where two would leave next to nothing, as of errors of RTK.
+std::string figure(double value, int digits) {
+  return number(value, digits == 2 && std::abs(value) < 0.0995 ? 3 : digits);
 }
 
 /// A line of the table: the runs behind it and which score of theirs it is about.
@@ -112,7 +100,7 @@ std::string cell_of(const Line& line, const Column& column) {
     if (const std::optional<double> value = column.figure(*run, run->*line.score)) values.push_back(*value);
   }
   if (values.empty()) return "-";
-  return number(combined(values, column.over), column.digits);
+  return figure(combined(values, column.over), column.digits);
 }
 
 std::string worst_cell(const Line& line) {
@@ -122,7 +110,7 @@ std::string worst_cell(const Line& line) {
     if (rmse && (worst == nullptr || *rmse > *(worst->*line.score).rmse)) worst = run;
   }
   if (worst == nullptr) return "-";
-  return number(*(worst->*line.score).rmse, 2) + " (" + std::to_string(worst->seed) + ")";
+  return figure(*(worst->*line.score).rmse, 2) + " (" + std::to_string(worst->seed) + ")";
 }
 
 std::vector<Line> lines(const std::vector<RunRecord>& runs) {
@@ -173,7 +161,10 @@ std::string to_json(const std::vector<RunRecord>& runs) {
         << ", \"p95_m\": " << json(s.p95) << ", \"max_m\": " << json(s.max)
         << ", \"heading_rmse_rad\": " << json(s.heading_rmse)
         << ", \"rmse_shadow_m\": " << json(s.rmse_shadow) << ", \"rmse_open_m\": " << json(s.rmse_open)
-        << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu) << "}";
+        << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu)
+        << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
+        << ", \"fix_rmse_shadow_m\": " << json(run.fixes.rmse_shadow)
+        << ", \"fix_rmse_open_m\": " << json(run.fixes.rmse_open) << "}";
     separator = ",\n";
   }
   out << "\n]\n";

@@ -20,12 +20,12 @@ class Replay {
   void advance_to(double stamp) {
     while (true) {
       const double odometry = next_odometry_stamp();
-      const double fix = next_fix_arrival();
-      if (std::min(odometry, fix) > stamp) break;
-      if (odometry <= fix) {
+      const double measurement = next_measurement_arrival();
+      if (std::min(odometry, measurement) > stamp) break;
+      if (odometry <= measurement) {
         localizer_.add(drive_.odometry[next_odometry_++]);
       } else {
-        localizer_.add(Measurement(drive_.fixes[next_fix_++].fix));
+        localizer_.add(drive_.measurements[next_measurement_++].measurement);
       }
     }
     localizer_.take_reports();
@@ -43,15 +43,15 @@ class Replay {
     return drive_.odometry[next_odometry_].stamp;
   }
 
-  [[nodiscard]] double next_fix_arrival() const {
-    if (next_fix_ == drive_.fixes.size()) return kNever;
-    return drive_.fixes[next_fix_].arrival;
+  [[nodiscard]] double next_measurement_arrival() const {
+    if (next_measurement_ == drive_.measurements.size()) return kNever;
+    return drive_.measurements[next_measurement_].arrival;
   }
 
   const Drive& drive_;
   Localizer& localizer_;
   std::size_t next_odometry_ = 0;
-  std::size_t next_fix_ = 0;
+  std::size_t next_measurement_ = 0;
 };
 
 /// The direction in which truth goes on from a sample: to the first one a metre away, within two seconds and

@@ -8,7 +8,8 @@ namespace multipath_localization {
 
 namespace {
 
-const std::set<std::string> kKeys = {"simulator", "steering", "localization", "duration"};
+const std::set<std::string> kKeys = {"simulator",    "steering", "steered_on",
+                                     "localization", "sequence", "duration"};
 
 double seconds(const YAML::Node& source, const std::string& path) {
   try {
@@ -17,6 +18,14 @@ double seconds(const YAML::Node& source, const std::string& path) {
   } catch (const YAML::Exception&) {
   }
   throw ParameterError(path + " is not a number of seconds above 0");
+}
+
+bool is_truth(const YAML::Node& source) {
+  const std::string text = source.IsScalar() ? source.Scalar() : "";
+  if (text != "truth" && text != "estimate") {
+    throw ParameterError("steered_on is neither truth nor estimate");
+  }
+  return text == "truth";
 }
 
 void refuse_unknown(const YAML::Node& source, const std::string& file) {
@@ -28,6 +37,21 @@ void refuse_unknown(const YAML::Node& source, const std::string& file) {
 }
 
 }  // namespace
+
+void SequenceLeg::fields(ParameterVisitor& field) {
+  field("duration", duration, {0.0, 1e9}, "s", "of the leg");
+  field("speed", speed, {-100.0, 100.0}, "m/s", "forwards");
+  field("yaw_rate", yaw_rate, {-10.0, 10.0}, "rad/s", "counter-clockwise");
+}
+
+MotionCommand command_at(const std::vector<SequenceLeg>& sequence, double time, double wheelbase) {
+  double end = -1e-9;  // a step of the simulator past its start belongs to the leg that begins there
+  for (const SequenceLeg& leg : sequence) {
+    end += leg.duration;
+    if (time < end) return motion_command(leg.speed, leg.yaw_rate, wheelbase);
+  }
+  return {};
+}
 
 std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path) {
   std::vector<Eigen::Vector2d> points;
@@ -57,7 +81,16 @@ Scenario load_scenario(const std::string& file) {
     steering.remove("waypoints");
   }
   load(steering, scenario.steering, "steering");
+  if (source["sequence"]) {
+    YAML::Node sequence;
+    sequence["sequence"] = source["sequence"];
+    const auto fields = [&](ParameterVisitor& field) {
+      field.list("sequence", scenario.sequence, "commands in turn, instead of steering");
+    };
+    load_fields(sequence, fields, "");
+  }
   if (source["duration"]) scenario.duration = seconds(source["duration"], "duration");
+  if (source["steered_on"]) scenario.steered_on_truth = is_truth(source["steered_on"]);
   if (source["localization"]) scenario.localization = source["localization"];
   return scenario;
 }

@@ -1,8 +1,11 @@
 #include "multipath_localization/evaluation/trace.hpp"
 
 #include <cmath>
-#include <functional>
+#include <optional>
 #include <sstream>
+
+#include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/evaluation/json.hpp"
 
 namespace multipath_localization {
 
@@ -20,14 +23,53 @@ void write_array(std::ostream& out, const char* name, const Items& items, const 
   out << "]";
 }
 
+/// An error and when it was made.
+struct TimedError {
+  double time;
+  double error;
+};
+
+void write_errors(std::ostream& out, const char* name, const std::vector<TimedError>& errors) {
+  out << "\"" << name << "\": {";
+  write_array(out, "t", errors, [](const TimedError& e) { return e.time; });
+  out << ", ";
+  write_array(out, "error", errors, [](const TimedError& e) { return e.error; });
+  out << "}";
+}
+
+/// Distances of the fixes from where their antennas truly were [m], as far as truth reaches.
+std::vector<TimedError> fix_errors(const Drive& drive, double start) {
+  std::vector<TimedError> errors;
+  for (const GnssFix& fix : drive.fixes()) {
+    const std::optional<TruthSample> truth = truth_at(drive.truth, fix.stamp);
+    if (!truth) continue;
+    const Eigen::Vector2d antenna = antenna_in_map(*truth, fix.antenna_in_base);
+    errors.push_back({fix.stamp - start, (fix.position - antenna).norm()});
+  }
+  return errors;
+}
+
+/// Errors of the heading where truth has one [deg].
+std::vector<TimedError> heading_errors(const std::vector<Epoch>& epochs, double start) {
+  std::vector<TimedError> errors;
+  for (const Epoch& epoch : epochs) {
+    const double error = angle_difference(epoch.estimate.yaw, epoch.truth.base_in_map.yaw);
+    if (epoch.truth.has_yaw) errors.push_back({epoch.truth.stamp - start, error * 180.0 / kPi});
+  }
+  return errors;
+}
+
 void write_drive(std::ostream& out, const Drive& drive, double start) {
+  const std::vector<GnssFix> fixes = drive.fixes();
   out << "\"fixes\": {";
-  write_array(out, "t", drive.fixes, [&](const RecordedFix& f) { return f.fix.stamp - start; });
+  write_array(out, "t", fixes, [&](const GnssFix& f) { return f.stamp - start; });
   out << ", ";
-  write_array(out, "x", drive.fixes, [](const RecordedFix& f) { return f.fix.position.x(); });
+  write_array(out, "x", fixes, [](const GnssFix& f) { return f.position.x(); });
   out << ", ";
-  write_array(out, "y", drive.fixes, [](const RecordedFix& f) { return f.fix.position.y(); });
-  out << "}, \"truth\": {";
+  write_array(out, "y", fixes, [](const GnssFix& f) { return f.position.y(); });
+  out << "}, ";
+  write_errors(out, "fix_errors", fix_errors(drive, start));
+  out << ", \"truth\": {";
   write_array(out, "t", drive.truth, [&](const TruthSample& t) { return t.stamp - start; });
   out << ", ";
   write_array(out, "x", drive.truth, [](const TruthSample& t) { return t.base_in_map.x; });
@@ -44,7 +86,7 @@ void write_run(std::ostream& out, const RunRecord& run, double start) {
   for (const Epoch& epoch : run.epochs) {
     if (epoch.valid) valid.push_back(epoch);
   }
-  out << R"({"estimator": ")" << run.estimator << R"(", "rmse": )";
+  out << "{\"estimator\": " << quoted(run.estimator) << ", \"rmse\": ";
   if (run.score.rmse) {
     out << *run.score.rmse << ", ";
   } else {
@@ -60,6 +102,8 @@ void write_run(std::ostream& out, const RunRecord& run, double start) {
               [](const Epoch& e) { return (e.estimate.position() - e.truth.base_in_map.position()).norm(); });
   out << ", ";
   write_array(out, "sigma", valid, [](const Epoch& e) { return std::sqrt(e.position_covariance.trace()); });
+  out << ", ";
+  write_errors(out, "heading_errors_deg", heading_errors(valid, start));
   out << "}";
 }
 
@@ -76,7 +120,7 @@ std::string to_trace(const std::string& title, const Stream& stream, const std::
 
   std::ostringstream out;
   out.precision(9);
-  out << R"({"title": ")" << title << "\", ";
+  out << "{\"title\": " << quoted(title) << ", ";
   write_drive(out, *drive, drive->start());
   out << ", \"runs\": [";
   for (const RunRecord* run : drawn) {

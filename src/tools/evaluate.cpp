@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 namespace po = boost::program_options;
 
 constexpr char kLocalizer[] = "localizer";
+constexpr char kSimulator[] = "simulator";
+constexpr char kSteering[] = "steering";
 
 /// The command line.
 struct Options {
@@ -65,7 +67,8 @@ Geodetic parse_datum(const std::string& text) {
 constexpr char kAfterwards[] = R"(
 The table has one line per estimator: means over the seeds, in metres where nothing else is said.
   epochs         truth samples scored; 'without' those for which there was no estimate, which are not
-  95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, where they are not
+  95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, where they are not;
+                 by satellites: where those in line of sight are not the majority of those received, where they are
   NEES           error squared over declared variance, 2 is ideal; 'in 95 %' [%] inside the declared ellipse
   waypoints >=   passed by the follower in the seed with the fewest
   missed by <=   the farthest the robot truly was from a waypoint it passed, in the worst seed
@@ -76,19 +79,27 @@ po::options_description stream_options() {
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description options("One stream", 110);
   const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
-  add("drive", text("DIR"), "a recording: odometry.csv, fix.csv and truth.csv");
-  add("bag", text("FILE"), "a recording: NavSatFix, Odometry, truth as PoseStamped or Odometry");
+  add("drive", text("DIR"),
+      "a recording: odometry.csv, truth.csv, and fix.csv or pseudoranges.csv or both; without odometry.csv "
+      "it "
+      "moves by Doppler, without truth.csv nothing is scored");
+  add("bag", text("FILE"), "a recording: NavSatFix or GnssEpoch, Odometry, truth as PoseStamped or Odometry");
   add("scenario", text("NAME"),
-      "a simulation steered on the estimate: config/scenarios/NAME.yaml, or a file");
+      "a simulation, steered on the estimate unless it says otherwise: config/scenarios/NAME.yaml, or a "
+      "file");
   add("fix-topic", text("TOPIC"),
       "of the bag, with or without leading slash; gps/fix, or the only NavSatFix");
+  add("epoch-topic", text("TOPIC"), "gnss/epoch, or the only GnssEpoch");
+  add("left-topic", text("TOPIC"), "NavSatFix of the left one of two antennas; gps/left/fix");
+  add("right-topic", text("TOPIC"), "of the right one; gps/right/fix");
   add("odom-topic", text("TOPIC"), "odom, or the only Odometry besides truth");
   add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
   add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
   add("datum", text("LAT,LON[,ALT]"),
-      "origin of the frame of a bag's truth [deg, m]; left out: where the median of fix - truth is zero, "
-      "over the "
-      "fixes in open sky if a shadow topic tells which those are, else over all");
+      "origin of the frame of a bag's truth [deg, m]; left out: as a static transform earth -> that frame "
+      "has "
+      "it, else where the median of fix - truth is zero, over the fixes in open sky if a shadow topic tells "
+      "which those are, else over all");
   return options;
 }
 
@@ -99,19 +110,30 @@ po::options_description run_options() {
   };
   po::options_description options("Runs and results", 110);
   const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
-  add("estimators", text("A,B"), "names, or 'all'; left out: the default estimator");
+  add("estimators", text("A,B"),
+      "names, or 'all'; left out: the default estimator. With parameters of its own as NAME{KEY: VALUE, "
+      "...}, "
+      "under a name of its own as LABEL=NAME{KEY: VALUE, ...}");
   add("seeds", number("N", 1), "run seeds 1..N");
   add("jobs", number("N", 1), "runs at a time; changes no result");
   add("known-start", "tell the estimators the true pose at the start; it is unknown otherwise");
   add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
-      "a parameter of all estimators, of one as NAME.KEY, or of the stream they are put on as localizer.KEY; "
-      "nested "
-      "by dots; may be repeated");
+      "a parameter of all estimators, of one as NAME.KEY, of the stream they are put on as localizer.KEY, or "
+      "of "
+      "a scenario as simulator.KEY and steering.KEY; nested by dots; may be repeated");
   add("score-from", po::value<double>()->default_value(0.0)->value_name("S"), "score from S seconds on");
   add("json", text("FILE"), "write the figures of each run");
   add("plot", text("FILE.png"), "draw seed 1: trajectories, error and declared error over time");
   add("help", "print this");
   return options;
+}
+
+std::vector<EstimatorVariant> chosen(const std::string& list) {
+  if (list.empty()) return parse_variants(estimator_names().front());
+  if (list != "all") return parse_variants(list);
+  std::vector<EstimatorVariant> all;
+  for (const std::string& name : estimator_names()) all.push_back({name, name, ""});
+  return all;
 }
 
 Options read_options(const po::variables_map& given) {
@@ -127,7 +149,8 @@ Options read_options(const po::variables_map& given) {
   options.drive = text("drive");
   options.bag = text("bag");
   options.scenario = text("scenario");
-  options.topics = {text("fix-topic"), text("odom-topic"), text("truth-topic"), text("shadow-topic")};
+  options.topics = {text("fix-topic"),   text("odom-topic"), text("truth-topic"), text("shadow-topic"),
+                    text("epoch-topic"), text("left-topic"), text("right-topic")};
   if (given.count("datum") > 0) options.datum = parse_datum(text("datum"));
   if (given.count("set") > 0) options.assignments = given["set"].as<std::vector<std::string>>();
   options.json_file = text("json");
@@ -135,9 +158,7 @@ Options read_options(const po::variables_map& given) {
 
   Batch& batch = options.batch;
   batch.source = options.drive + options.bag + options.scenario;
-  batch.estimators = split(text("estimators"));
-  if (batch.estimators.empty()) batch.estimators = {estimator_names().front()};
-  if (batch.estimators.front() == "all") batch.estimators = estimator_names();
+  batch.estimators = chosen(text("estimators"));
   batch.seeds = count("seeds");
   batch.jobs = count("jobs");
   batch.score_from = given["score-from"].as<double>();
@@ -162,18 +183,31 @@ Stream open_stream(const Options& options) {
   return load_scenario(package_file("../../share/multipath_localization/" + name, name));
 }
 
-/// The parameters of each estimator; settles those of the localizer in the batch.
-std::vector<std::string> settle_parameters(Options& options, const Stream& stream) {
+/// Whose parameters count in this evaluation.
+std::vector<std::string> owners_run(const Batch& batch, const Stream& stream) {
+  std::vector<std::string> owners = {kLocalizer};
+  for (const EstimatorVariant& variant : batch.estimators) owners.push_back(variant.name);
+  if (std::holds_alternative<Scenario>(stream)) owners.insert(owners.end(), {kSimulator, kSteering});
+  return owners;
+}
+
+/// The parameters of each estimator; settles those of the localizer in the batch, of a scenario in the
+/// stream.
+std::vector<std::string> settle_parameters(Options& options, Stream& stream) {
   std::vector<std::string> owners = estimator_names();
-  owners.emplace_back(kLocalizer);
+  owners.insert(owners.end(), {kLocalizer, kSimulator, kSteering});
   const ParameterOverrides overrides(options.assignments, owners);
-  const std::vector<std::string>& run = options.batch.estimators;
+  const std::vector<std::string> run = owners_run(options.batch, stream);
   for (const std::string& owner : overrides.owners()) {
-    if (owner != kLocalizer && std::find(run.begin(), run.end(), owner) == run.end()) {
+    if (std::find(run.begin(), run.end(), owner) == run.end()) {
       throw UsageError("--set is for " + owner + ", which is not run");
     }
   }
   load(overrides.of(kLocalizer), options.batch.settings.localizer, kLocalizer);
+  if (auto* scenario = std::get_if<Scenario>(&stream)) {
+    load(overrides.of(kSimulator), scenario->simulator, kSimulator);
+    load(overrides.of(kSteering), scenario->steering, kSteering);
+  }
   return parameters_of(options.batch, stream, overrides);
 }
 
@@ -207,7 +241,7 @@ std::vector<RunRecord> make_runs(const Batch& batch, const Stream& stream,
 }
 
 int evaluate(Options options) {
-  const Stream stream = open_stream(options);
+  Stream stream = open_stream(options);
   const std::vector<std::string> parameters = settle_parameters(options, stream);
   const std::string title = std::visit([](const auto& s) { return s.name; }, stream);
   if (const auto* drive = std::get_if<Drive>(&stream)) {

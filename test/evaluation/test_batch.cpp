@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
 #include "multipath_localization/evaluation/batch.hpp"
@@ -17,7 +19,7 @@ Scenario short_street() {
 Batch batch_of(std::uint64_t seeds) {
   Batch batch;
   batch.source = "here";
-  batch.estimators = {estimator_names().front()};
+  batch.estimators = parse_variants(estimator_names().front());
   batch.seeds = seeds;
   return batch;
 }
@@ -50,6 +52,40 @@ TEST(RunBatch, SeedsDiffer) {
   EXPECT_NE(*runs[0].score.rmse, *runs[1].score.rmse);
 }
 
+/// RMSE of each variant on the paddy with its wheels slipping by `wheel_noise` [m/s].
+std::map<std::string, Score> scores_on_paddy(const std::string& variants, double wheel_noise) {
+  Scenario scenario = load_scenario(std::string(CONFIG_DIR) + "/scenarios/paddy.yaml");
+  scenario.simulator.robot.wheel_noise = wheel_noise;
+  Batch batch = batch_of(1);
+  batch.estimators = parse_variants(variants);
+  const ParameterOverrides overrides({"wheel_noise=" + std::to_string(wheel_noise)}, {});
+  std::map<std::string, Score> scores;
+  for (const RunRecord& run :
+       run_batch(batch, scenario, parameters_of(batch, scenario, overrides), nullptr)) {
+    EXPECT_EQ(run.failure, "");
+    scores[run.estimator] = run.score;
+  }
+  return scores;
+}
+
+/// Section 4.1 of [KAM] as printed, with its deviation for small and middle wheel noise, and repaired.
+TEST(RunBatch, RunsVariantsOfOneEstimatorSideBySide) {
+  const std::string variants =
+      "repaired=dual_antenna_ekf,printed=dual_antenna_ekf{heading_jacobian: false, wrap_innovation: false, "
+      "subtract_mean: false, gate: .inf}";
+  constexpr double kDegree = 3.14159265358979 / 180.0;
+  for (const auto& [wheel_noise, slip_between_pairs] : {std::pair(0.1, 1.5), std::pair(0.3, 2.5)}) {
+    std::map<std::string, Score> scores = scores_on_paddy(variants, wheel_noise);
+    EXPECT_GT(*scores["printed"].heading_rmse, 30.0 * kDegree);
+    EXPECT_GT(*scores["printed"].rmse, 0.15);
+    EXPECT_LT(*scores["repaired"].heading_rmse, slip_between_pairs * kDegree);
+    EXPECT_LT(*scores["repaired"].rmse, 0.01);
+  }
+  std::map<std::string, Score> large = scores_on_paddy(variants, 1.0);
+  EXPECT_LT(*large["printed"].heading_rmse, 15.0 * kDegree);
+  EXPECT_LT(*large["repaired"].rmse, 0.03);
+}
+
 TEST(RunBatch, SaysWhyARunDidNotEnd) {
   Drive drive = made(batch_of(1), short_street(), 1).front().drive;
   drive.truth.clear();
@@ -68,6 +104,23 @@ TEST(ParametersOf, RefuseWhatTheEstimatorDoesNotKnow) {
   } catch (const ParameterError& error) {
     EXPECT_NE(std::string(error.what()).find("no_such_key"), std::string::npos);
   }
+}
+
+TEST(ParametersOf, AreTheScenariosThenTheOverridesThenTheVariants) {
+  Scenario scenario = short_street();
+  scenario.localization = YAML::Load("{gated_ekf: {gate: 1, reopen_after: 1, fix_sigma_cap: 1}}");
+  Batch batch = batch_of(1);
+  batch.estimators = parse_variants("gated_ekf,mine=gated_ekf{fix_sigma_cap: 3, odometry: {yaw: 0.5}}");
+  const ParameterOverrides overrides({"gated_ekf.reopen_after=2", "fix_sigma_cap=2"}, {"gated_ekf"});
+  const std::vector<std::string> all = parameters_of(batch, scenario, overrides);
+  ASSERT_EQ(all.size(), 2u);
+  const YAML::Node plain = YAML::Load(all[0]);
+  EXPECT_EQ(plain["gate"].as<int>(), 1);
+  EXPECT_EQ(plain["reopen_after"].as<int>(), 2);
+  EXPECT_EQ(plain["fix_sigma_cap"].as<int>(), 2);
+  const YAML::Node mine = YAML::Load(all[1]);
+  EXPECT_EQ(mine["fix_sigma_cap"].as<int>(), 3);
+  EXPECT_EQ(mine["odometry"]["yaw"].as<double>(), 0.5);
 }
 
 TEST(ParametersOf, TakeTheScenariosAndThenTheOverrides) {

@@ -52,6 +52,18 @@ TEST(RunScenario, KnowsTheShadowAndTheFixesInIt) {
   EXPECT_GT(*fixes.rmse_shadow, 2.0 * *fixes.rmse_open);
 }
 
+/// An estimator that is lost would be at a loss for the way; a driver is not.
+TEST(RunScenario, SteeredOnTheTruthTheRobotGetsRoundWhateverTheEstimate) {
+  Scenario scenario = load_scenario(std::string(CONFIG_DIR) + "/scenarios/street.yaml");
+  scenario.simulator.odometer.speed_scale_error = 0.5;
+  scenario.steered_on_truth = true;
+  scenario.duration = 150.0;
+  const ClosedLoopRun run = run_scenario(scenario, 1, dead_reckoning, known());
+  EXPECT_GT(*score(run.epochs, 0.0).max, 20.0);
+  EXPECT_GE(run.course.laps, 1);
+  EXPECT_LT(*run.course.worst_miss, scenario.steering.switch_radius + 0.05);
+}
+
 TEST(RunScenario, ReplayingItsDriveGivesTheSameEpochs) {
   Scenario scenario = load_scenario(std::string(CONFIG_DIR) + "/scenarios/street.yaml");
   scenario.duration = 20.0;
@@ -64,6 +76,22 @@ TEST(RunScenario, ReplayingItsDriveGivesTheSameEpochs) {
     ASSERT_EQ(replayed[i].estimate.x, run.epochs[i].estimate.x) << i;
     ASSERT_EQ(replayed[i].estimate.yaw, run.epochs[i].estimate.yaw) << i;
   }
+}
+
+TEST(RunScenario, DrivesASequenceWhateverTheEstimate) {
+  Scenario scenario = perfect_street();
+  scenario.sequence = {{5.0, 0.0, 0.0}, {10.0, 1.0, 0.1}};
+  scenario.duration = 20.0;
+  scenario.simulator.robot.max_acceleration = scenario.simulator.robot.max_steering_rate = 1e6;
+  const ClosedLoopRun run = run_scenario(scenario, 1, dead_reckoning, {});
+  const auto travelled = [&](double from, double to) {
+    const Pose2 start = truth_at(run.drive.truth, from)->base_in_map;
+    return inverse(start) * truth_at(run.drive.truth, to)->base_in_map;
+  };
+  EXPECT_EQ(travelled(0.02, 5.0).position().norm(), 0.0);
+  EXPECT_NEAR(travelled(5.0, 15.0).yaw, 1.0, 1e-6);
+  EXPECT_NEAR(travelled(5.0, 15.0).position().norm(), 20.0 * std::sin(0.5), 1e-6);
+  EXPECT_EQ(travelled(15.0, 20.0).position().norm(), 0.0);
 }
 
 TEST(RunScenario, StandsWhileNothingIsKnown) {

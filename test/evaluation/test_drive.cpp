@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
+
+#include "../models/sky.hpp"
 #include "multipath_localization/evaluation/drive.hpp"
 #include "temporary_folder.hpp"
 
@@ -36,13 +39,13 @@ class ReadDrive : public ::testing::Test {
 TEST_F(ReadDrive, TakesTheFirstFixAsDatum) {
   const Drive drive = read_drive(folder_.path() + "/");
   EXPECT_EQ(drive.name, std::filesystem::path(folder_.path()).filename());
-  ASSERT_EQ(drive.fixes.size(), 2u);
-  EXPECT_NEAR(drive.fixes[0].fix.position.norm(), 0.0, 1e-9);
-  EXPECT_NEAR(drive.fixes[1].fix.position.x(), 0.0, 1e-6);
-  EXPECT_NEAR(drive.fixes[1].fix.position.y(), 111.23, 0.02);
-  EXPECT_DOUBLE_EQ(drive.fixes[0].fix.covariance(0, 0), 4.0);
-  EXPECT_DOUBLE_EQ(drive.fixes[0].fix.covariance(1, 0), 1.0);
-  EXPECT_DOUBLE_EQ(drive.fixes[0].fix.covariance(1, 1), 9.0);
+  ASSERT_EQ(drive.fixes().size(), 2u);
+  EXPECT_NEAR(drive.fixes()[0].position.norm(), 0.0, 1e-9);
+  EXPECT_NEAR(drive.fixes()[1].position.x(), 0.0, 1e-6);
+  EXPECT_NEAR(drive.fixes()[1].position.y(), 111.23, 0.02);
+  EXPECT_DOUBLE_EQ(drive.fixes()[0].covariance(0, 0), 4.0);
+  EXPECT_DOUBLE_EQ(drive.fixes()[0].covariance(1, 0), 1.0);
+  EXPECT_DOUBLE_EQ(drive.fixes()[0].covariance(1, 1), 9.0);
   ASSERT_EQ(drive.truth.size(), 2u);
   EXPECT_NEAR(drive.truth[1].base_in_map.x, 71.69, 0.02);
   EXPECT_FALSE(drive.truth[0].has_yaw);
@@ -73,9 +76,66 @@ TEST_F(ReadDrive, FixesGoByArrival) {
                 "t,lat_deg,lon_deg,cov_ee_m2,cov_en_m2,cov_nn_m2,t_arrival\n"
                 "0,50,10,1,0,1,0.9\n0.2,50,10,1,0,1,0.3\n");
   const Drive drive = read_drive(folder_.path());
-  EXPECT_DOUBLE_EQ(drive.fixes[0].fix.stamp, 0.2);
-  EXPECT_DOUBLE_EQ(drive.fixes[1].fix.stamp, 0.0);
-  EXPECT_DOUBLE_EQ(drive.fixes[1].arrival, 0.9);
+  EXPECT_DOUBLE_EQ(drive.fixes()[0].stamp, 0.2);
+  EXPECT_DOUBLE_EQ(drive.fixes()[1].stamp, 0.0);
+  EXPECT_DOUBLE_EQ(drive.measurements[1].arrival, 0.9);
+}
+
+TEST_F(ReadDrive, EpochsOfPseudorangesGoWithTheFixesByArrival) {
+  folder_.write("pseudoranges.csv",
+                "t,sat_id,system,elevation_deg,cn0_dbhz,sat_x,sat_y,sat_z,pseudorange_m,std_m\n"
+                "0.5,1,GPS,30,40,1.4e7,0.3e7,2.2e7,2e7,5\n");
+  const Drive drive = read_drive(folder_.path());
+  ASSERT_EQ(drive.measurements.size(), 3u);
+  EXPECT_DOUBLE_EQ(stamp_of(drive.measurements[1].measurement), 0.5);
+  EXPECT_TRUE(std::holds_alternative<PseudorangeEpoch>(drive.measurements[1].measurement));
+  EXPECT_EQ(drive.fixes().size(), 2u);
+}
+
+TEST_F(ReadDrive, WithoutTruthNothingIsScored) {
+  EXPECT_TRUE(read_drive(folder_.path()).notices.empty());
+  std::filesystem::remove(folder_.path() + "/truth.csv");
+  const Drive drive = read_drive(folder_.path());
+  EXPECT_TRUE(drive.truth.empty());
+  EXPECT_EQ(drive.notices, std::vector<std::string>{"no truth, nothing is scored"});
+  EXPECT_DOUBLE_EQ(drive.start(), -1e-3);
+}
+
+TEST_F(ReadDrive, WithoutOdometryMotionIsByDoppler) {
+  const LocalFrame map({50.0, 10.0, 100.0});
+  const Eigen::Vector2d velocity(1.2, -0.9);
+  std::ostringstream rows;
+  rows.precision(15);
+  rows
+      << "t,sat_id,system,elevation_deg,cn0_dbhz,sat_x,sat_y,sat_z,pseudorange_m,std_m,range_rate_mps,sat_vx,"
+         "sat_vy,sat_vz\n";
+  for (int t = 0; t < 4; ++t) {
+    for (const SatelliteObservation& one : observed(open_sky(), Eigen::Vector3d::Zero(), 50.0, 60.0)) {
+      const Eigen::Vector3d ecef = map.satellite_to_ecef(one.position);
+      const Eigen::Vector3d speed = map.vector_to_ecef(one.velocity);
+      const Eigen::Vector3d direction = one.position.normalized();
+      const double rate = map.satellite_velocity_to_map(ecef, speed).dot(direction) -
+                          velocity.dot(direction.head<2>()) - 30.0;
+      rows << t << "," << one.satellite << "," << to_string(one.constellation) << ",30,40," << ecef.x() << ","
+           << ecef.y() << "," << ecef.z() << "," << one.pseudorange << ",5,";
+      if (t != 2) rows << rate << "," << speed.x() << "," << speed.y() << "," << speed.z() << "\n";
+      if (t == 2) rows << ",,,\n";
+    }
+  }
+  folder_.write("pseudoranges.csv", rows.str());
+  std::filesystem::remove(folder_.path() + "/odometry.csv");
+  const Drive drive = read_drive(folder_.path());
+  ASSERT_EQ(drive.odometry.size(), 4u);
+  EXPECT_DOUBLE_EQ(drive.odometry[3].stamp, 3.0);
+  EXPECT_DOUBLE_EQ(drive.odometry[3].duration, 1.0);
+  for (const OdometryIncrement& increment : drive.odometry) {
+    EXPECT_NEAR(increment.speed, 1.5, 1e-3);
+    EXPECT_NEAR(increment.yaw_rate, 0.0, 1e-3);
+  }
+  ASSERT_EQ(drive.notices.size(), 2u);
+  EXPECT_EQ(drive.notices[0], "no odometry.csv, motion is by Doppler velocity");
+  EXPECT_EQ(drive.notices[1],
+            "of 4 epochs 1 have no Doppler velocity: the last one is held, for 1 s at the longest");
 }
 
 TEST_F(ReadDrive, RefusesWithFileLineAndReason) {
@@ -88,7 +148,10 @@ TEST_F(ReadDrive, RefusesWithFileLineAndReason) {
   EXPECT_EQ(failure(), folder_.path() + "/truth.csv:2: latitude or longitude out of range");
   folder_.write("truth.csv", kTruth);
   std::filesystem::remove(folder_.path() + "/fix.csv");
-  EXPECT_EQ(failure(), folder_.path() + "/fix.csv: cannot be read or is empty");
+  EXPECT_EQ(failure(), folder_.path() + ": neither fix.csv nor pseudoranges.csv");
+  folder_.write("fix.csv", kFixes);
+  std::filesystem::remove(folder_.path() + "/odometry.csv");
+  EXPECT_EQ(failure(), folder_.path() + ": neither odometry.csv nor velocity by Doppler");
 }
 
 TEST(TruthAt, IsLinearAndTurnsTheShortWay) {

@@ -85,13 +85,12 @@ TEST(Score, NeesOfACollapsedCovarianceIsLargeButFinite) {
 TEST(ScoreFixes, AreComparedWithTruthAtTheirOwnStamp) {
   Drive drive;
   drive.truth = {{0.0, {0.0, 0.0, 0.0}, true, false}, {1.0, {10.0, 0.0, 0.0}, true, true}};
-  RecordedFix recorded;
-  recorded.fix.stamp = 0.5;
-  recorded.fix.position = {5.0, 2.0};
-  recorded.arrival = 0.9;
-  RecordedFix before = recorded;
-  before.fix.stamp = -1.0;
-  drive.fixes = {before, recorded};
+  GnssFix fix;
+  fix.stamp = 0.5;
+  fix.position = {5.0, 2.0};
+  GnssFix before = fix;
+  before.stamp = -1.0;
+  drive.measurements = {{before, 0.9}, {fix, 0.9}};
   const Score s = score_fixes(drive, -10.0);
   EXPECT_EQ(s.epochs, 1u);
   EXPECT_DOUBLE_EQ(*s.rmse_open, 2.0);
@@ -100,10 +99,13 @@ TEST(ScoreFixes, AreComparedWithTruthAtTheirOwnStamp) {
 TEST(ScoreFixes, CarryTheLeverArm) {
   Drive drive;
   drive.truth = {{0.0, {1.0, 1.0, 0.5 * kPi}, true, std::nullopt}};
-  RecordedFix recorded;
-  recorded.fix.antenna_in_base = {2.0, 0.0};
-  recorded.fix.position = {1.0, 3.0};
-  drive.fixes = {recorded};
+  GnssFix fix;
+  fix.antenna_in_base = {2.0, 0.0};
+  fix.position = {1.0, 3.0};
+  DualAntennaFix two;
+  two.left = two.right = fix;
+  drive.measurements = {{fix, 0.0}, {two, 0.0}};
+  EXPECT_EQ(score_fixes(drive, 0.0).epochs, 3u);
   EXPECT_NEAR(*score_fixes(drive, 0.0).max, 0.0, 1e-12);
 }
 

@@ -27,11 +27,13 @@ TEST(ToJson, HasTheContractsKeysAndNullsForWhatDoesNotApply) {
   for (const auto& entry : list[0]) keys.push_back(entry.first.as<std::string>());
   EXPECT_EQ(keys, (std::vector<std::string>{"source", "estimator", "seed", "epochs", "mean_m", "rmse_m",
                                             "median_m", "p95_m", "max_m", "heading_rmse_rad", "rmse_shadow_m",
-                                            "rmse_open_m", "nees_mean", "cpu_s"}));
+                                            "rmse_open_m", "nees_mean", "cpu_s", "fix_rmse_m",
+                                            "fix_rmse_shadow_m", "fix_rmse_open_m"}));
   EXPECT_EQ(list[0]["source"].as<std::string>(), "a \"drive\"");
   EXPECT_EQ(list[0]["seed"].as<int>(), 3);
   EXPECT_EQ(list[0]["epochs"].as<int>(), 7);
   EXPECT_DOUBLE_EQ(list[0]["rmse_m"].as<double>(), 1.5);
+  EXPECT_DOUBLE_EQ(list[0]["fix_rmse_m"].as<double>(), 5.0);
   EXPECT_DOUBLE_EQ(list[0]["cpu_s"].as<double>(), 0.25);
   EXPECT_TRUE(list[0]["heading_rmse_rad"].IsNull());
   EXPECT_NE(text.find("\"nees_mean\": null"), std::string::npos);
@@ -52,6 +54,12 @@ TEST(ToTable, MeansOverRunsAndNamesTheWorst) {
   EXPECT_NE(table.find("3.00 (1)"), std::string::npos) << table;
   EXPECT_NE(table.find("(fixes as they are)"), std::string::npos) << table;
   EXPECT_EQ(table.find("NEES"), std::string::npos) << "applies to no line";
+}
+
+TEST(ToTable, ShowsMillimetres) {
+  const std::string table = to_table({run_of("a", 1, 0.0026), run_of("b", 1, 0.4)});
+  EXPECT_NE(table.find(" 0.003 "), std::string::npos) << table;
+  EXPECT_NE(table.find(" 0.40 "), std::string::npos) << table;
 }
 
 }  // namespace

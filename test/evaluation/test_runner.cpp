@@ -19,12 +19,11 @@ Drive straight_drive(int seconds) {
   return drive;
 }
 
-RecordedFix fix(double stamp, double arrival) {
-  RecordedFix recorded;
-  recorded.fix.stamp = stamp;
-  recorded.fix.position = {stamp, 0.0};
-  recorded.arrival = arrival;
-  return recorded;
+RecordedMeasurement fix(double stamp, double arrival) {
+  GnssFix fix;
+  fix.stamp = stamp;
+  fix.position = {stamp, 0.0};
+  return {fix, arrival};
 }
 
 EstimatorFactory dead_reckoning(DeadReckoning::Log* log = nullptr) {
@@ -45,7 +44,7 @@ TEST(RunDrive, GivesOneEpochPerTruthSample) {
 
 TEST(RunDrive, WithoutKnownStartTheFirstFixIsNeeded) {
   Drive drive = straight_drive(4);
-  drive.fixes = {fix(2.0, 2.0)};
+  drive.measurements = {fix(2.0, 2.0)};
   const std::vector<Epoch> epochs = run_drive(drive, dead_reckoning(), {});
   EXPECT_FALSE(epochs[1].valid);
   EXPECT_TRUE(epochs[2].valid);
@@ -54,7 +53,7 @@ TEST(RunDrive, WithoutKnownStartTheFirstFixIsNeeded) {
 
 TEST(RunDrive, FixesCountInTheOrderOfTheirArrival) {
   Drive drive = straight_drive(5);
-  drive.fixes = {fix(2.0, 2.0), fix(3.0, 3.0), fix(1.5, 3.5)};
+  drive.measurements = {fix(2.0, 2.0), fix(3.0, 3.0), fix(1.5, 3.5)};
   DeadReckoning::Log log;
   run_drive(drive, dead_reckoning(&log), {});
   EXPECT_EQ(log.updated, (std::vector<double>{2.0, 3.0, 1.5}));
@@ -62,7 +61,7 @@ TEST(RunDrive, FixesCountInTheOrderOfTheirArrival) {
 
 TEST(RunDrive, AnEpochKnowsNothingThatArrivesLater) {
   Drive drive = straight_drive(4);
-  drive.fixes = {fix(1.0, 2.5)};
+  drive.measurements = {fix(1.0, 2.5)};
   const std::vector<Epoch> epochs = run_drive(drive, dead_reckoning(), {});
   EXPECT_FALSE(epochs[2].valid);
   EXPECT_TRUE(epochs[3].valid);
@@ -71,7 +70,7 @@ TEST(RunDrive, AnEpochKnowsNothingThatArrivesLater) {
 TEST(RunDrive, CarriesTheEstimateToTruthBetweenOdometry) {
   Drive drive = straight_drive(3);
   drive.truth = {{2.25, {2.25, 0.0, 0.0}, true, std::nullopt}, {9.0, {9.0, 0.0, 0.0}, true, std::nullopt}};
-  drive.fixes = {fix(1.0, 1.0)};
+  drive.measurements = {fix(1.0, 1.0)};
   const std::vector<Epoch> epochs = run_drive(drive, dead_reckoning(), {});
   EXPECT_NEAR(epochs[0].estimate.x, 2.25, 1e-12);
   EXPECT_FALSE(epochs[1].valid) << "six seconds after the last odometry";

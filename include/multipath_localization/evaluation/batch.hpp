@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "multipath_localization/evaluation/closed_loop.hpp"
+#include "multipath_localization/evaluation/estimator_variant.hpp"
 #include "multipath_localization/evaluation/parameter_overrides.hpp"
 
 namespace multipath_localization {
@@ -17,18 +18,18 @@ using Stream = std::variant<Drive, Scenario>;
 
 /// Every estimator with every seed over one stream.
 struct Batch {
-  std::string source;                   ///< what the runs call the stream
-  std::vector<std::string> estimators;  ///< by name
-  std::uint64_t seeds = 1;              ///< 1..seeds
-  std::size_t jobs = 1;                 ///< runs at a time
-  double score_from = 0.0;              ///< after the start of the stream [s]
+  std::string source;  ///< what the runs call the stream
+  std::vector<EstimatorVariant> estimators;
+  std::uint64_t seeds = 1;  ///< 1..seeds
+  std::size_t jobs = 1;     ///< runs at a time
+  double score_from = 0.0;  ///< after the start of the stream [s]
   RunSettings settings;
 };
 
 /// One run and what came of it.
 struct RunRecord {
-  std::string source;  ///< drive, bag or scenario, as named by the user
-  std::string estimator;
+  std::string source;     ///< drive, bag or scenario, as named by the user
+  std::string estimator;  ///< label of the variant
   std::uint64_t seed = 1;
   std::string failure;  ///< why it did not end, and then nothing below counts; empty when it did
   Score score;
@@ -40,8 +41,9 @@ struct RunRecord {
   Drive drive;                ///< of seed 1 of a scenario only
 };
 
-/// Parameters of each estimator of the batch as YAML text: those of the scenario with `overrides` over them.
-/// Throws ParameterError on an unknown estimator or an unusable parameter.
+/// Parameters of each estimator of the batch as YAML text: those of the scenario, over them the `overrides`
+/// for its name, over these the variant's own. Throws ParameterError on an unknown estimator or an unusable
+/// parameter.
 std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
                                        const ParameterOverrides& overrides);
 

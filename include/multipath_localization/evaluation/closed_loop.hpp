@@ -10,7 +10,7 @@
 
 namespace multipath_localization {
 
-/// How a robot got round its waypoints when it was steered by the estimate.
+/// How a robot got round its waypoints when it was steered.
 struct Course {
   std::size_t waypoints_passed = 0;  ///< as the follower saw it, in order, over all laps
   int laps = 0;
@@ -25,10 +25,11 @@ struct ClosedLoopRun {
   Course course;
 };
 
-/// Simulates a scenario in which the waypoint follower steers on the estimate. At every step: the command for
-/// the estimate after the last odometry, one step of robot and receiver, then odometry and fixes as they come
-/// in. The distance at which a waypoint was passed is that of the closest approach from when it was steered
-/// for until the next one was passed. Throws RunError.
+/// Simulates a scenario in which the waypoint follower steers on the estimate, or on the truth where the
+/// scenario says so, or a sequence of commands is driven whatever the estimate. At every step: the command
+/// for the estimate after the last odometry, one step of robot and receiver, then odometry and fixes as they
+/// come in. The distance at which a waypoint was passed is that of the closest approach from when it was
+/// steered for until the next one was passed. Throws RunError.
 ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const EstimatorFactory& make,
                            const RunSettings& settings, const ProgressReport& progress = nullptr);
 

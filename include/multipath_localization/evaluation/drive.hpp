@@ -17,9 +17,9 @@ struct TwistSample {
   double yaw_rate = 0.0;  ///< counter-clockwise [rad/s]
 };
 
-/// A fix and when it came in.
-struct RecordedFix {
-  GnssFix fix;
+/// A measurement and when it came in.
+struct RecordedMeasurement {
+  Measurement measurement;
   double arrival = 0.0;  ///< on the clock of the stamps [s]
 };
 
@@ -34,14 +34,17 @@ struct TruthSample {
 /// A recording: what a robot's sensors said and where it truly was, in one ENU map frame.
 struct Drive {
   std::string name;
-  Geodetic datum;                           ///< origin of the map frame
-  std::vector<OdometryIncrement> odometry;  ///< by stamp
-  std::vector<RecordedFix> fixes;           ///< by arrival
-  std::vector<TruthSample> truth;           ///< by stamp; empty when there is none
-  std::vector<std::string> notices;         ///< what the reader had to assume or to leave out
+  Geodetic datum;                                 ///< origin of the map frame
+  std::vector<OdometryIncrement> odometry;        ///< by stamp
+  std::vector<RecordedMeasurement> measurements;  ///< by arrival
+  std::vector<TruthSample> truth;                 ///< by stamp; empty when there is none
+  std::vector<std::string> notices;               ///< what the reader had to assume or to leave out
 
   /// Stamp of the first thing recorded, from which times are counted [s].
   [[nodiscard]] double start() const;
+
+  /// The fixes among the measurements, those of two antennas one by one, in their order.
+  [[nodiscard]] std::vector<GnssFix> fixes() const;
 };
 
 /// The motion between consecutive samples (stamps increasing): the mean of the two twists over the interval
@@ -57,10 +60,13 @@ std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, doubl
 /// Where an antenna truly was, or the base itself where truth has no heading [m].
 Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& antenna_in_base);
 
-/// Reads `odometry.csv` (t, vx, wz), `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2;
-/// optional alt_m, t_arrival) and `truth.csv` (t, lat_deg, lon_deg; optional alt_m, yaw, shadow) of a
-/// directory; other columns are left alone. The map's datum is the first fix: truth decides nothing but the
-/// score. Throws DriveError.
+/// Reads `odometry.csv` (t, vx, wz), `truth.csv` (t, lat_deg, lon_deg; optional alt_m, yaw, shadow) and
+/// `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional alt_m, t_arrival) or
+/// `pseudoranges.csv` (PseudorangeFile) or both of a directory; other columns are left alone. The map's datum
+/// is the first fix, without fixes the solution of the first epoch: truth decides nothing but the score, and
+/// without `truth.csv` there is none. Without `odometry.csv` the motion is that by the Doppler shifts of
+/// `pseudoranges.csv` (doppler_odometry.hpp). The drive's notices say so.
+/// Throws DriveError.
 Drive read_drive(const std::string& directory);
 
 }  // namespace multipath_localization

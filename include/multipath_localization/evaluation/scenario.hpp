@@ -11,6 +11,19 @@
 
 namespace multipath_localization {
 
+/// One piece of a sequence of commands.
+struct SequenceLeg {
+  double duration = 1.0;
+  double speed = 0.0;
+  double yaw_rate = 0.0;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// The command at a time [s] after the start, for a robot of that wheelbase [m]; after the last leg a stop. A
+/// leg that stands does not turn either.
+MotionCommand command_at(const std::vector<SequenceLeg>& sequence, double time, double wheelbase);
+
 /// A ready run: what is simulated, how it is driven, for how long, and what the estimators are told of it.
 /// Its top-level keys are the names of the nodes, so that roslaunch loads the same file into a namespace.
 struct Scenario {
@@ -18,7 +31,9 @@ struct Scenario {
   SimulatorParameters simulator;
   WaypointFollowerParameters steering;
   std::vector<Eigen::Vector2d> waypoints;  ///< in map [m]
+  std::vector<SequenceLeg> sequence;       ///< instead of steering, unless empty
   double duration = 60.0;                  ///< [s]
+  bool steered_on_truth = false;           ///< by a driver who sees the way, not on the estimate
   YAML::Node localization;                 ///< parameters by estimator name; null for none
 };
 

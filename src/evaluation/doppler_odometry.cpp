@@ -1,0 +1,86 @@
+#include "multipath_localization/evaluation/doppler_odometry.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/models/doppler_velocity.hpp"
+#include "multipath_localization/models/robust_position.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kStandstillSpeed = 0.1;  // [m/s]
+constexpr double kStandstillSigmas = 5.0;
+constexpr double kFirstInterval = 1e-3;  // [s]
+
+bool standing(const VelocitySample& sample) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(sample.covariance, Eigen::EigenvaluesOnly);
+  const double sigma = std::sqrt(std::max(axes.eigenvalues().maxCoeff(), 0.0));
+  return sample.velocity.norm() < std::max(kStandstillSpeed, kStandstillSigmas * sigma);
+}
+
+/// Speed and heading of a robot that follows the velocity.
+struct Track {
+  double speed = 0.0;  ///< negative in reverse [m/s]
+  double heading = 0.0;
+  bool started = false;
+
+  void follow(const VelocitySample& sample) {
+    speed = 0.0;
+    if (standing(sample)) return;
+    double course = std::atan2(sample.velocity.y(), sample.velocity.x());
+    speed = sample.velocity.norm();
+    if (started && std::abs(angle_difference(course, heading)) > kPi / 2.0) {
+      course = wrap_angle(course + kPi);
+      speed = -speed;
+    }
+    heading = course;
+    started = true;
+  }
+};
+
+}  // namespace
+
+DopplerTrack doppler_track(const std::vector<PseudorangeEpoch>& epochs) {
+  DopplerTrack track;
+  Eigen::Vector3d antenna = Eigen::Vector3d::Zero();
+  double measured = 0.0;
+  for (const PseudorangeEpoch& epoch : epochs) {
+    const auto position = solve_robustly(epoch.observations, antenna);
+    if (position) antenna = position->position;
+    const auto doppler = solve_velocity(epoch.observations, antenna);
+    if (doppler) {
+      measured = epoch.stamp;
+      track.samples.push_back(
+          {epoch.stamp, doppler->velocity.head<2>(), doppler->covariance.topLeftCorner<2, 2>()});
+    } else if (!track.samples.empty()) {
+      track.samples.push_back(track.samples.back());
+      track.samples.back().stamp = epoch.stamp;
+      ++track.held;
+      track.longest_hold = std::max(track.longest_hold, epoch.stamp - measured);
+    }
+  }
+  return track;
+}
+
+std::vector<OdometryIncrement> odometry_of(const std::vector<VelocitySample>& samples) {
+  std::vector<OdometryIncrement> all;
+  Track track;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Track before = track;
+    track.follow(samples[i]);
+    if (i == 0) {
+      all.push_back({samples[i].stamp, kFirstInterval, track.speed, 0.0});
+      continue;
+    }
+    const double duration = samples[i].stamp - samples[i - 1].stamp;
+    const double turn = before.started ? angle_difference(track.heading, before.heading) : 0.0;
+    all.push_back({samples[i].stamp, duration, 0.5 * (before.speed + track.speed), turn / duration});
+  }
+  return all;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,91 @@
+#include "multipath_localization/evaluation/estimator_variant.hpp"
+
+#include <set>
+#include <utility>
+
+#include "multipath_localization/core/parameters.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+/// The parts between commas that no bracket encloses.
+std::vector<std::string> split_outside_brackets(const std::string& list) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  for (const char c : list) {
+    if (c == '{' || c == '[') ++depth;
+    if (c == '}' || c == ']') --depth;
+    if (c == ',' && depth == 0) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+EstimatorVariant parse_variant(const std::string& text) {
+  const std::size_t brace = text.find('{');
+  const std::string head = text.substr(0, brace);
+  const std::size_t sign = head.find('=');
+  EstimatorVariant variant;
+  variant.label = sign == std::string::npos ? text : head.substr(0, sign);
+  variant.name = sign == std::string::npos ? head : head.substr(sign + 1);
+  if (brace != std::string::npos) variant.parameters = text.substr(brace);
+  if (variant.label.empty() || variant.name.empty()) {
+    throw ParameterError("'" + text + "' is not [LABEL=]NAME[{KEY: VALUE, ...}]");
+  }
+  return variant;
+}
+
+void refuse_what_is_no_map(const EstimatorVariant& variant) {
+  try {
+    if (variant.parameters.empty()) return;
+    const YAML::Node all = YAML::Load("[" + variant.parameters + "]");  // so that nothing follows unread
+    if (all.size() == 1 && all[0].IsMap()) return;
+  } catch (const YAML::Exception&) {
+  }
+  throw ParameterError("'" + variant.parameters + "' is not {KEY: VALUE, ...}");
+}
+
+/// Lays one map over another, map by map.
+void lay_over(const YAML::Node& base, const YAML::Node& upper) {
+  std::vector<std::pair<YAML::Node, YAML::Node>> to_do = {{base, upper}};
+  while (!to_do.empty()) {
+    auto [below, above] = to_do.back();
+    to_do.pop_back();
+    for (const auto& entry : above) {
+      const auto key = entry.first.as<std::string>();
+      if (entry.second.IsMap() && below[key].IsMap()) {
+        to_do.emplace_back(below[key], entry.second);
+      } else {
+        below[key] = entry.second;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<EstimatorVariant> parse_variants(const std::string& list) {
+  std::vector<EstimatorVariant> variants;
+  std::set<std::string> labels;
+  for (const std::string& text : split_outside_brackets(list)) {
+    variants.push_back(parse_variant(text));
+    refuse_what_is_no_map(variants.back());
+    if (!labels.insert(variants.back().label).second) {
+      throw ParameterError("two estimators are called '" + variants.back().label + "'");
+    }
+  }
+  return variants;
+}
+
+YAML::Node over(const YAML::Node& parameters, const EstimatorVariant& variant) {
+  YAML::Node result =
+      parameters && parameters.IsMap() ? YAML::Clone(parameters) : YAML::Node(YAML::NodeType::Map);
+  if (!variant.parameters.empty()) lay_over(result, YAML::Load(variant.parameters));
+  return result;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,75 @@
+#include "multipath_localization/evaluation/pseudorange_file.hpp"
+
+#include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/models/pseudorange.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kDegree = kPi / 180.0;
+
+Eigen::Vector3d vector(const CsvTable& table, std::size_t row, const char* x, const char* y, const char* z) {
+  return {table.number(row, x), table.number(row, y), table.number(row, z)};
+}
+
+}  // namespace
+
+PseudorangeFile::PseudorangeFile(const std::string& file)
+    : table_(file, {"t", "sat_id", "system", "elevation_deg", "cn0_dbhz", "sat_x", "sat_y", "sat_z",
+                    "pseudorange_m", "std_m"}) {
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    const double step = row == 0 ? 1.0 : table_.number(row, "t") - table_.number(row - 1, "t");
+    if (step < 0.0) throw table_.error(row, "t decreases");
+    if (step > 0.0) begins_.push_back(row);
+  }
+  begins_.push_back(table_.rows());
+}
+
+SatelliteObservation PseudorangeFile::observation(std::size_t row, const LocalFrame& map) const {
+  SatelliteObservation observation;
+  const auto constellation = constellation_of(table_.text(row, "system"));
+  if (!constellation) throw table_.error(row, "unknown system '" + table_.text(row, "system") + "'");
+  observation.constellation = *constellation;
+  observation.satellite = static_cast<int>(table_.number(row, "sat_id"));
+  observation.pseudorange = table_.number(row, "pseudorange_m");
+  if (!table_.text(row, "cn0_dbhz").empty()) observation.cn0 = table_.number(row, "cn0_dbhz");
+  observation.elevation = table_.number(row, "elevation_deg") * kDegree;
+  observation.sigma = table_.number(row, "std_m");
+  if (!(observation.sigma > 0.0)) throw table_.error(row, "std_m is not above 0");
+  const Eigen::Vector3d ecef = vector(table_, row, "sat_x", "sat_y", "sat_z");
+  observation.position = map.satellite_to_map(ecef);
+  if (table_.has("range_rate_mps") && !table_.text(row, "range_rate_mps").empty()) {
+    observation.range_rate = table_.number(row, "range_rate_mps");
+    observation.velocity =
+        map.satellite_velocity_to_map(ecef, vector(table_, row, "sat_vx", "sat_vy", "sat_vz"));
+  }
+  return observation;
+}
+
+RecordedMeasurement PseudorangeFile::epoch(std::size_t first, std::size_t end, const LocalFrame& map) const {
+  PseudorangeEpoch epoch;
+  epoch.stamp = table_.number(first, "t");
+  for (std::size_t row = first; row < end; ++row) epoch.observations.push_back(observation(row, map));
+  return {epoch, table_.has("t_arrival") ? table_.number(first, "t_arrival") : epoch.stamp};
+}
+
+std::vector<RecordedMeasurement> PseudorangeFile::epochs(const LocalFrame& map) const {
+  std::vector<RecordedMeasurement> all;
+  for (std::size_t i = 0; i + 1 < begins_.size(); ++i) {
+    all.push_back(epoch(begins_[i], begins_[i + 1], map));
+  }
+  return all;
+}
+
+Geodetic PseudorangeFile::first_position() const {
+  const LocalFrame anywhere(Geodetic{});
+  for (std::size_t i = 0; i + 1 < begins_.size(); ++i) {
+    const Measurement measurement = epoch(begins_[i], begins_[i + 1], anywhere).measurement;
+    const auto position = solve_geodetic(std::get<PseudorangeEpoch>(measurement).observations, anywhere);
+    if (position) return *position;
+  }
+  throw DriveError("no epoch has enough satellites for a position");
+}
+
+}  // namespace multipath_localization
