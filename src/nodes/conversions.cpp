@@ -12,8 +12,9 @@ namespace {
 const Eigen::Vector3d kDefaultPoseSigmas(0.5, 0.5, kPi / 12.0);  ///< x, y, yaw as amcl starts from
 constexpr double kHighestAltitude = 100e3;
 constexpr double kFurthestPose = 1e7;
-constexpr std::size_t kX = 0, kY = 7, kYaw = 35, kXY = 1, kXYaw = 5, kYYaw = 11;  ///< in a row-major 6x6
-constexpr std::size_t kEast = 0, kEastNorth = 1, kNorthEast = 3, kNorth = 4;      ///< in a row-major 3x3
+constexpr double kShortestBaseline = 0.01;
+constexpr std::size_t kX = 0, kY = 7, kYaw = 35, kXY = 1, kXYaw = 5, kYYaw = 11;       ///< in a row-major 6x6
+constexpr std::size_t kEast = 0, kEastNorth = 1, kNorthEast = 3, kNorth = 4, kUp = 8;  ///< in a row-major 3x3
 
 bool declares_none(const sensor_msgs::NavSatFix& message) {
   const auto& covariance = message.position_covariance;
@@ -95,6 +96,38 @@ CheckedFix to_fix(const sensor_msgs::NavSatFix& message, const LocalFrame& map,
           ? Eigen::Matrix2d(Eigen::Matrix2d::Identity() * std::pow(parameters.default_sigma, 2))
           : horizontal(message);
   if (!(checked.fix.position.norm() <= parameters.reach)) checked.reason = Reason::kInvalidPosition;
+  return checked;
+}
+
+sensor_msgs::NavSatFix to_message(const GnssFix& fix, const LocalFrame& map, const std_msgs::Header& header) {
+  const Geodetic point = map.to_geodetic(fix.position);
+  sensor_msgs::NavSatFix message;
+  message.header = header;
+  message.status.status = sensor_msgs::NavSatStatus::STATUS_FIX;
+  message.status.service = sensor_msgs::NavSatStatus::SERVICE_GPS;
+  message.latitude = point.latitude_deg;
+  message.longitude = point.longitude_deg;
+  message.altitude = point.altitude;
+  message.position_covariance[kEast] = fix.covariance(0, 0);
+  message.position_covariance[kEastNorth] = message.position_covariance[kNorthEast] = fix.covariance(0, 1);
+  message.position_covariance[kNorth] = fix.covariance(1, 1);
+  message.position_covariance[kUp] = 2.0 * fix.covariance.trace();
+  message.position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_KNOWN;
+  return message;
+}
+
+CheckedDual to_dual(const FixPair& message, const LocalFrame& map, const FixParameters& parameters,
+                    const Eigen::Vector2d& left_antenna_in_base,
+                    const Eigen::Vector2d& right_antenna_in_base) {
+  const CheckedFix left = to_fix(message.left, map, parameters, left_antenna_in_base);
+  const CheckedFix right = to_fix(message.right, map, parameters, right_antenna_in_base);
+  CheckedDual checked;
+  checked.reason = left.reason == Reason::kAccepted ? right.reason : left.reason;
+  checked.fix = {left.fix.stamp, left.fix, right.fix};
+  const double baseline = (left_antenna_in_base - right_antenna_in_base).norm();
+  if (checked.reason == Reason::kAccepted && baseline < kShortestBaseline) {
+    checked.reason = Reason::kInvalidFrame;
+  }
   return checked;
 }
 

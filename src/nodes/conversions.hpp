@@ -13,7 +13,8 @@
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/core/parameters.hpp"
 
-/// Messages to the package's vocabulary; the way back is in estimate_messages.hpp. REP-103 (ENU, metres,
+/// Messages to the package's vocabulary and, of what sensors say, back; raw measurements are in
+/// epoch_conversions.hpp, what estimators say in estimate_messages.hpp. REP-103 (ENU, metres,
 /// radians, yaw 0 = east and counter-clockwise) and REP-105 (map -> odom -> base_link) are enforced here and
 /// nowhere else.
 namespace multipath_localization {
@@ -65,6 +66,28 @@ CheckedFix to_fix(const sensor_msgs::NavSatFix& message, const LocalFrame& map,
 Reason check(const sensor_msgs::NavSatFix& message, const FixParameters& parameters);
 
 Geodetic to_geodetic(const sensor_msgs::NavSatFix& message);
+
+/// The way back, at the height of the datum's tangent plane; the vertical variance is twice the horizontal
+/// ones together.
+sensor_msgs::NavSatFix to_message(const GnssFix& fix, const LocalFrame& map, const std_msgs::Header& header);
+
+/// Two fixes of one instant.
+struct FixPair {
+  sensor_msgs::NavSatFix left;
+  sensor_msgs::NavSatFix right;
+};
+
+/// A fix of each of two antennas, or the reason why they are refused.
+struct CheckedDual {
+  Reason reason = Reason::kAccepted;
+  DualAntennaFix fix;  ///< counts only when accepted; its stamp is the left one's
+};
+
+/// Reads both as `to_fix` does; the first reason counts, left before right. Antennas less than 1 cm apart are
+/// refused as an invalid frame: where tf does not tell them apart, they tell no heading.
+CheckedDual to_dual(const FixPair& message, const LocalFrame& map, const FixParameters& parameters,
+                    const Eigen::Vector2d& left_antenna_in_base,
+                    const Eigen::Vector2d& right_antenna_in_base);
 
 /// Root of the mean horizontal variance as the message declares it [m]; NaN where it declares none.
 double declared_sigma(const sensor_msgs::NavSatFix& message);

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nodes/conversions.hpp"
-
 namespace multipath_localization {
 
 namespace {
@@ -32,21 +30,20 @@ Datum::Datum(const std::vector<double>& configured, double averaging) : averagin
   }
 }
 
-void Datum::add(const sensor_msgs::NavSatFix& fix) {
+void Datum::add(double stamp, const Geodetic& place) {
   if (map_) return;
-  const double stamp = fix.header.stamp.toSec();
-  if (fixes_.empty() || stamp < first_stamp_) {
-    fixes_.clear();
+  if (places_.empty() || stamp < first_stamp_) {
+    places_.clear();
     first_stamp_ = stamp;
   }
-  fixes_.push_back(to_geodetic(fix));
+  places_.push_back(place);
   if (stamp - first_stamp_ < averaging_) return;
-  map_.emplace(Geodetic{median(fixes_, [](const Geodetic& p) { return p.latitude_deg; }),
-                        median(fixes_, [](const Geodetic& p) { return p.longitude_deg; }),
-                        median(fixes_, [](const Geodetic& p) { return p.altitude; })});
+  map_.emplace(Geodetic{median(places_, [](const Geodetic& p) { return p.latitude_deg; }),
+                        median(places_, [](const Geodetic& p) { return p.longitude_deg; }),
+                        median(places_, [](const Geodetic& p) { return p.altitude; })});
   const Geodetic& datum = map_->datum();
-  ROS_INFO("datum of map: [%.9f, %.9f, %.3f], from %zu fixes", datum.latitude_deg, datum.longitude_deg,
-           datum.altitude, fixes_.size());
+  ROS_INFO("datum of map: [%.9f, %.9f, %.3f], from %zu measurements", datum.latitude_deg, datum.longitude_deg,
+           datum.altitude, places_.size());
 }
 
 }  // namespace multipath_localization

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <sensor_msgs/NavSatFix.h>
-
 #include <optional>
 #include <vector>
 
@@ -9,15 +7,15 @@
 
 namespace multipath_localization {
 
-/// Where map has its origin: configured, or the median of the first fixes. Once set it stays, whatever
-/// restarts.
+/// Where map has its origin: configured, or the median of the first measurements' places. Once set it stays,
+/// whatever restarts.
 class Datum {
  public:
   /// `configured` is empty or [latitude, longitude, altitude?] in degrees and metres; `averaging` in seconds.
   Datum(const std::vector<double>& configured, double averaging);
 
-  /// Takes a usable fix while no datum is set.
-  void add(const sensor_msgs::NavSatFix& fix);
+  /// Takes where the antenna was at `stamp` [s] while no datum is set.
+  void add(double stamp, const Geodetic& place);
 
   /// The map frame, null before the datum is set.
   [[nodiscard]] const LocalFrame* map() const { return map_ ? &*map_ : nullptr; }
@@ -26,7 +24,7 @@ class Datum {
   std::optional<LocalFrame> map_;
   double averaging_;
   double first_stamp_ = 0.0;
-  std::vector<Geodetic> fixes_;
+  std::vector<Geodetic> places_;
 };
 
 }  // namespace multipath_localization

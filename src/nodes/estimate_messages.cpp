@@ -93,20 +93,25 @@ LocalizationState to_state(const Localizer& localizer, const std_msgs::Header& h
   return message;
 }
 
-FixReport to_report(const Innovation& innovation, const sensor_msgs::NavSatFix& fix, double now,
-                    std::uint32_t sequence) {
-  FixReport message;
-  message.header = fix.header;
-  message.accepted = innovation.accepted();
-  message.reason = std::string(to_string(innovation.reason));
-  message.innovation_x = innovation.innovation.x();
-  message.innovation_y = innovation.innovation.y();
-  message.nis = innovation.nis;
-  message.declared_sigma = declared_sigma(fix);
-  message.predicted_sigma = std::sqrt(0.5 * innovation.covariance.trace());
-  message.age = now == 0.0 || fix.header.stamp.isZero() ? 0.0 : now - fix.header.stamp.toSec();
-  message.sequence = sequence;
-  return message;
+FixReport to_report(const GnssMessage& message) {
+  FixReport report;
+  report.header = header_of(message);
+  report.kind = kGnssKinds[message.index()];
+  report.declared_sigma = declared_sigma(message);
+  report.satellites = static_cast<std::uint32_t>(satellites_of(message));
+  return report;
+}
+
+FixReport concluded(FixReport report, const Innovation& innovation, double now) {
+  const ros::Time& stamp = report.header.stamp;
+  report.accepted = innovation.accepted();
+  report.reason = std::string(to_string(innovation.reason));
+  report.innovation_x = innovation.innovation.x();
+  report.innovation_y = innovation.innovation.y();
+  report.nis = innovation.nis;
+  report.predicted_sigma = std::sqrt(0.5 * innovation.covariance.trace());
+  report.age = now == 0.0 || stamp.isZero() ? 0.0 : now - stamp.toSec();
+  return report;
 }
 
 sensor_msgs::NavSatFix to_nav_sat_fix(const PoseEstimate& estimate, Trust trust, const LocalFrame& map,

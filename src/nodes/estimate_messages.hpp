@@ -13,7 +13,7 @@
 #include "multipath_localization/LocalizationState.h"
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/estimators/localizer.hpp"
-#include "nodes/conversions.hpp"
+#include "nodes/gnss_message.hpp"
 
 /// What the estimators know, as messages. Frames and axes: conversions.hpp.
 namespace multipath_localization {
@@ -39,10 +39,11 @@ GnssBias to_bias(const PoseEstimate& estimate, const std_msgs::Header& header);
 
 LocalizationState to_state(const Localizer& localizer, const std_msgs::Header& header);
 
-/// What became of a fix: stamp and frame of the fix, its age at `now` [s, 0 for not known], the
-/// `sequence`-th.
-FixReport to_report(const Innovation& innovation, const sensor_msgs::NavSatFix& fix, double now,
-                    std::uint32_t sequence);
+/// A report on a measurement that has just come in: what it says of itself.
+FixReport to_report(const GnssMessage& message);
+
+/// The report with what became of the measurement, at `now` [s, 0 for not known].
+FixReport concluded(FixReport report, const Innovation& innovation, double now);
 
 /// Where the base is on the ellipsoid, at the height of the datum's tangent plane; the height's sigma is 100
 /// m. The status claims a fix only while `trust` is above LOST, never an augmentation.

@@ -4,8 +4,8 @@
 
 namespace multipath_localization {
 
-InputMonitor::InputMonitor(std::string what, ros::Subscriber subscriber)
-    : what_(std::move(what)), subscriber_(std::move(subscriber)) {}
+InputMonitor::InputMonitor(std::string what, std::vector<ros::Subscriber> subscribers, bool awaited)
+    : what_(std::move(what)), subscribers_(std::move(subscribers)), awaited_(awaited) {}
 
 void InputMonitor::arrived() {
   ++messages_;
@@ -13,14 +13,22 @@ void InputMonitor::arrived() {
 }
 
 std::string InputMonitor::described() const {
-  const auto publishers = subscriber_.getNumPublishers();
-  return what_ + " on " + subscriber_.getTopic() + " (" + std::to_string(publishers) +
-         (publishers == 1 ? " publisher)" : " publishers)");
+  std::string text = what_ + " on ";
+  const char* separator = "";
+  for (const ros::Subscriber& subscriber : subscribers_) {
+    const auto publishers = subscriber.getNumPublishers();
+    text += separator + subscriber.getTopic() + " (" + std::to_string(publishers) +
+            (publishers == 1 ? " publisher)" : " publishers)");
+    separator = ", ";
+  }
+  return text;
 }
 
 unsigned InputMonitor::refused() const {
   unsigned sum = 0;
-  for (const auto& [reason, number] : counts_) sum += reason == Reason::kAccepted ? 0 : number;
+  for (const auto& [reason, number] : counts_) {
+    if (reason != Reason::kAccepted && reason != Reason::kUnused) sum += number;
+  }
   return sum;
 }
 

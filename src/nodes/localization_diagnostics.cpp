@@ -15,7 +15,7 @@ std::string most_frequent_refusal(const InputMonitor& input) {
   Reason found = Reason::kAccepted;
   unsigned most = 0;
   for (const auto& [reason, number] : input.counts()) {
-    if (reason == Reason::kAccepted || number <= most) continue;
+    if (reason == Reason::kAccepted || reason == Reason::kUnused || number <= most) continue;
     found = reason;
     most = number;
   }
@@ -50,37 +50,66 @@ unsigned char level_of(Trust trust) {
 
 }  // namespace
 
-LocalizationDiagnostics::LocalizationDiagnostics(const InputMonitor& fix, const InputMonitor& odometry,
+LocalizationDiagnostics::LocalizationDiagnostics(const GnssInputs& gnss, const InputMonitor& odometry,
                                                  const Localizer& localizer, const TfWatch& tf,
                                                  const LocalizationParameters& parameters)
-    : fix_(fix), odometry_(odometry), localizer_(localizer), tf_(tf), parameters_(parameters) {
+    : gnss_(gnss), odometry_(odometry), localizer_(localizer), tf_(tf), parameters_(parameters) {
   updater_.setHardwareID("none");
-  updater_.add("fix", this, &LocalizationDiagnostics::report_fix);
   updater_.add("odometry", this, &LocalizationDiagnostics::report_odometry);
   updater_.add("filter", this, &LocalizationDiagnostics::report_filter);
   updater_.add("tf", this, &LocalizationDiagnostics::report_tf);
 }
 
-void LocalizationDiagnostics::add(const FixReport& report) {
-  last_report_ = report;
-  if (report.predicted_sigma <= 0.0) return;
-  sum_of_squared_innovations_ += std::pow(report.innovation_x, 2) + std::pow(report.innovation_y, 2);
-  ++innovations_;
+void LocalizationDiagnostics::report() {
+  for (std::size_t kind = 0; kind < kGnssKinds.size(); ++kind) {
+    const InputMonitor& input = gnss_.of(kind);
+    if (figures_[kind].shown || (!input.awaited() && !input.seen())) continue;
+    figures_[kind].shown = true;
+    updater_.add(std::string(kGnssKinds[kind]), [this, kind](Status& status) { report_gnss(status, kind); });
+  }
+  updater_.force_update();
 }
 
-void LocalizationDiagnostics::report_fix(Status& status) {
-  summarise_input(status, fix_, refused_fixes_);
-  if (last_report_.sequence == 0) return;
-  status.add("last reason", last_report_.reason);
-  status.add("age [s]", last_report_.age);
-  status.add("declared sigma [m]", last_report_.declared_sigma);
-  status.add("predicted sigma of innovation [m]", last_report_.predicted_sigma);
-  if (innovations_ > 0) {
-    status.add("observed sigma of innovation [m]",
-               std::sqrt(0.5 * sum_of_squared_innovations_ / innovations_));
+bool LocalizationDiagnostics::set_antenna_frame(const std::string& frame, bool known) {
+  if (!known) return unknown_antenna_frames_.insert(frame).second;
+  unknown_antenna_frames_.erase(frame);
+  return false;
+}
+
+void LocalizationDiagnostics::Figures::add(const FixReport& report) {
+  last = report;
+  if (report.predicted_sigma <= 0.0) return;
+  sum_of_squared_innovations += std::pow(report.innovation_x, 2) + std::pow(report.innovation_y, 2);
+  ++innovations;
+}
+
+void LocalizationDiagnostics::Figures::tell(Status& status) {
+  if (last.sequence == 0) return;
+  status.add("last reason", last.reason);
+  status.add("age [s]", last.age);
+  if (last.satellites > 0) {
+    status.add("satellites", last.satellites);
+    status.add("usable satellites", last.usable_satellites);
+  } else {
+    status.add("declared sigma [m]", last.declared_sigma);
   }
-  sum_of_squared_innovations_ = 0.0;
-  innovations_ = 0;
+  status.add("predicted sigma of innovation [m]", last.predicted_sigma);
+  if (innovations > 0) {
+    status.add("observed sigma of innovation [m]", std::sqrt(0.5 * sum_of_squared_innovations / innovations));
+  }
+  sum_of_squared_innovations = 0.0;
+  innovations = 0;
+}
+
+void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
+  const InputMonitor& input = gnss_.of(kind);
+  summarise_input(status, input, figures_[kind].refused);
+  if (!input.awaited()) {
+    status.summary(DiagnosticStatus::OK, parameters_.estimator + " has no use for it");
+  } else if (!input.seen() && gnss_.silence() < kLongSilence) {
+    status.summary(DiagnosticStatus::OK, "does not come and is not needed");
+  }
+  figures_[kind].tell(status);
 }
 
 void LocalizationDiagnostics::report_odometry(Status& status) {
@@ -106,20 +135,21 @@ void LocalizationDiagnostics::report_filter(Status& status) {
 
 void LocalizationDiagnostics::report_tf(Status& status) {
   const FrameParameters& frames = parameters_.frames;
+  std::string unknown;
+  for (const std::string& frame : unknown_antenna_frames_) unknown += " " + frame;
   if (!tf_.broadcaster_of_odom().empty() && parameters_.outputs.publish_tf) {
     status.summary(DiagnosticStatus::ERROR, tf_.broadcaster_of_odom() + " broadcasts a parent of " +
                                                 frames.odom_frame +
                                                 " too: stop it, or set publish_tf to false");
-  } else if (!unknown_antenna_frame_.empty()) {
-    status.summary(DiagnosticStatus::WARN, "no transform from " + frames.base_link_frame + " to " +
-                                               unknown_antenna_frame_ +
-                                               ": the antenna is taken to be at the base");
+  } else if (!unknown.empty()) {
+    status.summary(DiagnosticStatus::WARN, "no transform from " + frames.base_link_frame + " to" + unknown +
+                                               ": a lone antenna is taken to be at the base");
   } else {
     status.summary(DiagnosticStatus::OK, parameters_.outputs.publish_tf
                                              ? "broadcasts " + frames.map_frame + " -> " + frames.odom_frame
                                              : "broadcasts nothing, as asked");
   }
-  status.add("antenna frame unknown to tf", unknown_antenna_frame_);
+  status.add("antenna frames unknown to tf", unknown);
 }
 
 }  // namespace multipath_localization

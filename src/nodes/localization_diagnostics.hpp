@@ -2,54 +2,69 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 
+#include <algorithm>
+#include <array>
+#include <set>
 #include <string>
 
 #include "multipath_localization/FixReport.h"
 #include "multipath_localization/estimators/localizer.hpp"
-#include "nodes/input_monitor.hpp"
+#include "nodes/gnss_inputs.hpp"
 #include "nodes/tf_watch.hpp"
 
 namespace multipath_localization {
 
-/// Four statuses on /diagnostics, each one sentence and its figures: fix, odometry, filter, tf.
+/// Statuses on /diagnostics, each one sentence and its figures: odometry, filter, tf, and for each kind of
+/// GnssMessage that the estimator uses or that is published one of its name.
 class LocalizationDiagnostics {
  public:
   /// Looks at its arguments whenever it reports; they have to outlive it.
-  LocalizationDiagnostics(const InputMonitor& fix, const InputMonitor& odometry, const Localizer& localizer,
+  LocalizationDiagnostics(const GnssInputs& gnss, const InputMonitor& odometry, const Localizer& localizer,
                           const TfWatch& tf, const LocalizationParameters& parameters);
 
-  /// Publishes all four and starts new averages. To be called at a steady rate.
-  void report() { updater_.force_update(); }
+  /// Publishes all and starts new averages. To be called at a steady rate.
+  void report();
 
-  void add(const FixReport& report);
+  void add(const FixReport& report, std::size_t kind) { figures_[kind].add(report); }
   void add_update_time(double seconds) { slowest_update_ = std::max(slowest_update_, seconds); }
   void add_pose() { ++poses_; }
 
   /// One sentence on a pause, a restart or a breakdown, shown by `filter` until the next report.
   void note(const std::string& sentence) { note_ = sentence; }
-  /// An antenna frame that tf does not know, empty for none.
-  void set_unknown_antenna_frame(const std::string& frame) { unknown_antenna_frame_ = frame; }
+  /// Whether tf knows the frame of an antenna. Returns true when it is not and nobody said so before.
+  bool set_antenna_frame(const std::string& frame, bool known);
 
  private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
-  void report_fix(Status& status);
+  /// What the reports on one kind of measurement say.
+  struct Figures {
+    void add(const FixReport& report);
+    /// Adds them to a status and starts new averages.
+    void tell(Status& status);
+
+    bool shown = false;
+    unsigned refused = 0;  ///< when last told
+    FixReport last;
+    double sum_of_squared_innovations = 0.0;
+    unsigned innovations = 0;
+  };
+
+  void report_gnss(Status& status, std::size_t kind);
   void report_odometry(Status& status);
   void report_filter(Status& status);
   void report_tf(Status& status);
 
-  const InputMonitor& fix_;
+  const GnssInputs& gnss_;
   const InputMonitor& odometry_;
   const Localizer& localizer_;
   const TfWatch& tf_;
   const LocalizationParameters& parameters_;
-  unsigned refused_fixes_ = 0, refused_odometry_ = 0;  ///< at the last report
+  std::array<Figures, kGnssKinds.size()> figures_;
+  unsigned refused_odometry_ = 0;  ///< at the last report
   unsigned poses_ = 0;
-  FixReport last_report_;
-  double sum_of_squared_innovations_ = 0.0;
-  unsigned innovations_ = 0;
   double slowest_update_ = 0.0;
   std::string note_;
-  std::string unknown_antenna_frame_;
+  std::set<std::string> unknown_antenna_frames_;
   diagnostic_updater::Updater updater_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace multipath_localization {
@@ -25,9 +26,13 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       tf_(node, parameters_.frames),
       map_to_odom_(parameters_.frames, parameters_.outputs),
       outputs_(node, private_node, parameters_),
-      fix_input_("fix", node.subscribe("gps/fix", 500, &LocalizationNode::on_fix, this, at_once())),
-      odometry_input_("odom", node.subscribe("odom", 1000, &LocalizationNode::on_odometry, this, at_once())),
-      diagnostics_(fix_input_, odometry_input_, localizer_, tf_, parameters_) {
+      used_(settings.used_kinds()),
+      gnss_(
+          node, parameters_.gnss.pair_tolerance, used_, [this](const GnssMessage& m) { on_gnss(m); },
+          [this](const sensor_msgs::NavSatFix& fix) { on_unpaired(fix); }),
+      odometry_input_("odom", {node.subscribe("odom", 1000, &LocalizationNode::on_odometry, this, at_once())},
+                      true),
+      diagnostics_(gnss_, odometry_input_, localizer_, tf_, parameters_) {
   initial_pose_ = node.subscribe("initialpose", 5, &LocalizationNode::on_pose, this);
   set_pose_ = node.subscribe("set_pose", 5, &LocalizationNode::on_pose, this);
   reset_ = private_node.advertiseService("reset", &LocalizationNode::on_reset, this);
@@ -43,7 +48,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
                                         [this](const ros::WallTimerEvent&) { tell_what_is_missing(); });
   outputs_.publish_changed_state(localizer_, ros::Time());
   ROS_INFO("%s with seed %d; %s, %s; %s -> %s -> %s", parameters_.estimator.c_str(), parameters_.seed,
-           fix_input_.described().c_str(), odometry_input_.described().c_str(),
+           gnss_.described().c_str(), odometry_input_.described().c_str(),
            parameters_.frames.map_frame.c_str(), parameters_.frames.odom_frame.c_str(),
            parameters_.frames.base_link_frame.c_str());
 }
@@ -68,48 +73,65 @@ void LocalizationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) 
   }
   publish_poses();
   publish_reports();
-  if (early_fix_) use(*std::exchange(early_fix_, std::nullopt));
+  for (const auto& [kind, early] : std::exchange(early_, {})) use(early);
   diagnostics_.add_update_time((ros::WallTime::now() - begin).toSec());
 }
 
-void LocalizationNode::on_fix(const sensor_msgs::NavSatFix::ConstPtr& message) {
+void LocalizationNode::on_gnss(const GnssMessage& message) {
   if (!enabled_) return;
   watch_clock();
-  fix_input_.arrived();
-  fixes_.open(*message);
-  if (odometry_) return use(*message);
-  if (early_fix_) report(early_fix_->header.stamp.toSec(), refused(Reason::kNotStarted));
-  early_fix_ = *message;
+  reports_.open(to_report(message));
+  if (odometry_) return use(message);
+  const auto earlier = early_.find(message.index());
+  if (earlier != early_.end()) refuse(earlier->second, Reason::kNotStarted);
+  early_.insert_or_assign(message.index(), message);
 }
 
-void LocalizationNode::use(const sensor_msgs::NavSatFix& message) {
+void LocalizationNode::on_unpaired(const sensor_msgs::NavSatFix& fix) {
+  if (!enabled_) return;
+  FixReport report = to_report(fix);
+  report.kind = kGnssKinds[kDualKind];
+  const Reason defect = check(fix, parameters_.gnss.fix);
+  publish(reports_.numbered(report), refused(defect == Reason::kAccepted ? Reason::kUnpaired : defect));
+}
+
+void LocalizationNode::use(const GnssMessage& message) {
   const Reason reason = hand_over(message);
-  if (reason != Reason::kAccepted) report(message.header.stamp.toSec(), refused(reason));
+  if (reason != Reason::kAccepted) refuse(message, reason);
   publish_reports();
   publish_poses();
 }
 
-Reason LocalizationNode::hand_over(const sensor_msgs::NavSatFix& message) {
-  const Reason defect = check(message, parameters_.fix);
+void LocalizationNode::refuse(const GnssMessage& message, Reason reason) {
+  const auto report = reports_.close(kGnssKinds[message.index()], header_of(message).stamp.toSec());
+  if (report) publish(*report, refused(reason));
+}
+
+Reason LocalizationNode::hand_over(const GnssMessage& message) {
+  const Reason defect = check(message, parameters_.gnss);
   if (defect != Reason::kAccepted) return defect;
-  const std::optional<Eigen::Vector2d> antenna = antenna_in_base(message.header.frame_id);
-  if (!antenna) return Reason::kInvalidFrame;
-  datum_.add(message);
+  if (!used_[message.index()]) return Reason::kUnused;
+  if (!datum_.map()) {
+    const std::optional<Geodetic> place = place_of(message, parameters_.gnss);
+    if (place) datum_.add(header_of(message).stamp.toSec(), *place);
+  }
   if (!datum_.map()) return Reason::kNotStarted;
-  const CheckedFix checked = to_fix(message, *datum_.map(), parameters_.fix, *antenna);
+  const CheckedMeasurement checked =
+      to_measurement(message, *datum_.map(), parameters_.gnss,
+                     [this](const std::string& frame) { return antenna_in_base(frame); });
   if (checked.reason != Reason::kAccepted) return checked.reason;
-  outputs_.publish_fix(checked.fix, message.header);
-  localizer_.add(checked.fix);
+  outputs_.publish_fixes(checked.measurement, message);
+  localizer_.add(checked.measurement);
   return Reason::kAccepted;
 }
 
 std::optional<Eigen::Vector2d> LocalizationNode::antenna_in_base(const std::string& frame) {
-  std::optional<Eigen::Vector2d> antenna = tf_.origin_in_base(frame);
-  diagnostics_.set_unknown_antenna_frame(antenna ? "" : frame);
-  if (antenna || parameters_.require_antenna_transform) return antenna;
-  ROS_WARN_ONCE("no transform from %s to %s: the antenna is taken to be at the base",
-                parameters_.frames.base_link_frame.c_str(), frame.c_str());
-  return Eigen::Vector2d::Zero();
+  const std::optional<Eigen::Vector2d> antenna = tf_.origin_in_base(frame);
+  if (diagnostics_.set_antenna_frame(frame, antenna.has_value())) {
+    ROS_WARN("no transform from %s to %s%s", parameters_.frames.base_link_frame.c_str(), frame.c_str(),
+             parameters_.gnss.require_antenna_transform ? "" : ": a lone antenna is taken to be at the base");
+  }
+  return antenna;
 }
 
 void LocalizationNode::publish_poses() {
@@ -133,18 +155,21 @@ void LocalizationNode::publish_poses() {
 
 void LocalizationNode::publish_reports() {
   for (const MeasurementReport& done : localizer_.take_reports()) {
-    report(done.stamp, done.innovation);
+    std::optional<FixReport> report = reports_.close(kGnssKinds[done.measurement.index()], done.stamp);
+    if (!report) continue;
+    report->usable_satellites = static_cast<std::uint32_t>(satellites_of(done.measurement));
+    publish(*report, done.innovation);
     outputs_.publish_bias(localizer_.estimate(), odometry_stamp());
   }
 }
 
-void LocalizationNode::report(double stamp, const Innovation& innovation) {
-  const std::optional<FixLedger::Entry> entry = fixes_.close(stamp);
-  if (!entry) return;
-  const FixReport message = to_report(innovation, entry->fix, odometry_stamp().toSec(), entry->sequence);
-  fix_input_.count(innovation.reason);
-  diagnostics_.add(message);
-  outputs_.publish(message);
+void LocalizationNode::publish(FixReport report, const Innovation& innovation) {
+  const auto* const name = std::find(kGnssKinds.begin(), kGnssKinds.end(), report.kind);
+  const auto kind = static_cast<std::size_t>(name - kGnssKinds.begin());
+  report = concluded(report, innovation, odometry_stamp().toSec());
+  gnss_.of(kind).count(innovation.reason);
+  diagnostics_.add(report, kind);
+  outputs_.publish(report);
 }
 
 }  // namespace multipath_localization

@@ -3,27 +3,27 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
-#include <sensor_msgs/NavSatFix.h>
 #include <std_srvs/Empty.h>
 #include <std_srvs/SetBool.h>
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 
 #include "nodes/datum.hpp"
 #include "nodes/estimate_messages.hpp"
-#include "nodes/fix_ledger.hpp"
-#include "nodes/input_monitor.hpp"
+#include "nodes/gnss_inputs.hpp"
 #include "nodes/localization_diagnostics.hpp"
 #include "nodes/localization_outputs.hpp"
 #include "nodes/localization_parameters.hpp"
 #include "nodes/map_to_odom.hpp"
+#include "nodes/report_ledger.hpp"
 #include "nodes/tf_watch.hpp"
 
 namespace multipath_localization {
 
-/// Fixes and odometry in, the pose in map out, on the stamps of the messages alone.
+/// GNSS and odometry in, the pose in map out, on the stamps of the messages alone.
 class LocalizationNode {
  public:
   LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node, const LocalizationSettings& settings);
@@ -35,23 +35,25 @@ class LocalizationNode {
   };
 
   void on_odometry(const nav_msgs::Odometry::ConstPtr& message);
-  void on_fix(const sensor_msgs::NavSatFix::ConstPtr& message);
+  void on_gnss(const GnssMessage& message);
+  void on_unpaired(const sensor_msgs::NavSatFix& fix);
   void on_pose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr& message);
   bool on_reset(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool on_toggle(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
-  /// The antenna of a frame on the base, the base itself where tf does not know and need not.
+  /// The antenna of a frame on the base, nothing where tf does not know.
   std::optional<Eigen::Vector2d> antenna_in_base(const std::string& frame);
-  /// Reads a fix and hands it to the localizer, or gives the reason why not.
-  Reason hand_over(const sensor_msgs::NavSatFix& message);
+  /// Reads a measurement and hands it to the localizer, or gives the reason why not.
+  Reason hand_over(const GnssMessage& message);
   /// The same, and publishes what comes of it.
-  void use(const sensor_msgs::NavSatFix& message);
+  void use(const GnssMessage& message);
+  /// Reports a measurement as refused.
+  void refuse(const GnssMessage& message, Reason reason);
   /// Answers the odometry that has no pose as yet: the last message, and at the start those before it,
   /// because the first fix may reach us after odometry that is younger.
   void publish_poses();
   void publish_reports();
-  /// Reports the oldest open fix of this stamp.
-  void report(double stamp, const Innovation& innovation);
+  void publish(FixReport report, const Innovation& innovation);
   [[nodiscard]] ros::Time odometry_stamp() const {
     return odometry_ ? odometry_->message.header.stamp : ros::Time();
   }
@@ -72,15 +74,17 @@ class LocalizationNode {
   TfWatch tf_;
   MapToOdom map_to_odom_;
   LocalizationOutputs outputs_;
-  FixLedger fixes_;
-  InputMonitor fix_input_, odometry_input_;
+  ReportLedger reports_;
+  UsedKinds used_;
+  GnssInputs gnss_;
+  InputMonitor odometry_input_;
   LocalizationDiagnostics diagnostics_;
 
   bool enabled_ = true;
   ros::Time latest_clock_;
-  std::optional<ReadOdometry> odometry_;             ///< the last one accepted
-  std::deque<ReadOdometry> unanswered_;              ///< those of the last moments without a pose as yet
-  std::optional<sensor_msgs::NavSatFix> early_fix_;  ///< came before any odometry
+  std::optional<ReadOdometry> odometry_;      ///< the last one accepted
+  std::deque<ReadOdometry> unanswered_;       ///< those of the last moments without a pose as yet
+  std::map<std::size_t, GnssMessage> early_;  ///< by kind, the last that came before any odometry
 
   ros::Subscriber initial_pose_, set_pose_;
   ros::ServiceServer reset_, toggle_;

@@ -46,9 +46,10 @@ void LocalizationNode::restart(const std::string& why, const std::optional<PoseP
   diagnostics_.note("started afresh: " + why);
   publish_reports();
   localizer_.start(prior);
-  early_fix_.reset();
+  early_.clear();
   unanswered_.clear();
-  while (const auto left = fixes_.oldest()) report(*left, refused(Reason::kNotStarted));
+  gnss_.clear();
+  while (const auto left = reports_.close_oldest()) publish(*left, refused(Reason::kNotStarted));
   outputs_.clear();
   outputs_.publish_changed_state(localizer_, odometry_stamp());
 }
@@ -76,9 +77,8 @@ void LocalizationNode::watch_clock() {
 void LocalizationNode::tell_what_is_missing() {
   if (!enabled_) return;
   std::string missing;
-  for (const InputMonitor* input : {&odometry_input_, &fix_input_}) {
-    if (input->silence() >= kLongSilence) missing += (missing.empty() ? "" : ", ") + input->described();
-  }
+  if (odometry_input_.silence() >= kLongSilence) missing = odometry_input_.described();
+  if (gnss_.silence() >= kLongSilence) missing += (missing.empty() ? "" : ", ") + gnss_.described();
   if (!missing.empty()) ROS_WARN("waiting for: %s", missing.c_str());
 }
 

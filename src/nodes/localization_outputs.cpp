@@ -21,7 +21,10 @@ LocalizationOutputs::LocalizationOutputs(ros::NodeHandle node, ros::NodeHandle p
       bias_(private_node.advertise<GnssBias>("bias", 10)),
       report_(private_node.advertise<FixReport>("fix_report", 1000)),
       state_(node.advertise<LocalizationState>("localization/state", 10, true)),
-      markers_(private_node.advertise<visualization_msgs::MarkerArray>("markers", 2)) {}
+      markers_(private_node.advertise<visualization_msgs::MarkerArray>("markers", 2)),
+      trail_(static_cast<std::size_t>(parameters_.path_length), parameters_.path_spacing) {
+  if (parameters_.path_length > 0) path_ = node.advertise<nav_msgs::Path>("path", 2);
+}
 
 std_msgs::Header LocalizationOutputs::in_map(const ros::Time& stamp) const {
   std_msgs::Header header;
@@ -46,6 +49,7 @@ void LocalizationOutputs::publish(const Localizer& localizer, const PoseEstimate
     at_base.frame_id = frames_.base_link_frame;
     gps_filtered_.publish(to_nav_sat_fix(estimate, trust, map, at_base));
   }
+  if (path_) trail_.add(header, to_message(estimate.pose));
   const double since_picture = header.stamp.toSec() - last_picture_;
   const bool due = since_picture < 0.0 || since_picture >= 1.0 / parameters_.cloud_rate;
   publish_changed_state(localizer, header.stamp);
@@ -60,6 +64,7 @@ void LocalizationOutputs::publish_picture(const Localizer& localizer, const Pose
   LocalizationPicture picture{in_map(stamp), estimate, localizer.hypotheses(), last_fix_,
                               std::string(to_string(localizer.state()))};
   cloud_.publish(to_pose_array(picture.hypotheses, max_poses, picture.header));
+  if (path_ && path_.getNumSubscribers() > 0) path_.publish(trail_.path());
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(picture, max_poses));
 }
 
@@ -70,6 +75,15 @@ void LocalizationOutputs::publish_changed_state(const Localizer& localizer, cons
 void LocalizationOutputs::publish_state(const Localizer& localizer, const ros::Time& stamp) {
   last_state_ = localizer.state();
   state_.publish(to_state(localizer, in_map(stamp)));
+}
+
+void LocalizationOutputs::publish_fixes(const Measurement& measurement, const GnssMessage& message) {
+  if (const auto* fix = std::get_if<GnssFix>(&measurement)) publish_fix(*fix, header_of(message));
+  if (const auto* two = std::get_if<DualAntennaFix>(&measurement)) {
+    const auto& pair = std::get<FixPair>(message);
+    publish_fix(two->right, pair.right.header);
+    publish_fix(two->left, pair.left.header);
+  }
 }
 
 void LocalizationOutputs::publish_fix(const GnssFix& fix, const std_msgs::Header& header) {
@@ -85,6 +99,7 @@ void LocalizationOutputs::clear() {
   last_fix_.reset();
   last_state_.reset();
   last_picture_ = 0.0;
+  trail_.clear();
 }
 
 }  // namespace multipath_localization

@@ -9,6 +9,7 @@
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/estimators/localizer.hpp"
 #include "nodes/localization_parameters.hpp"
+#include "nodes/trail.hpp"
 
 namespace multipath_localization {
 
@@ -18,8 +19,8 @@ class LocalizationOutputs {
   LocalizationOutputs(ros::NodeHandle node, ros::NodeHandle private_node,
                       const LocalizationParameters& parameters);
 
-  /// The estimate as the pose that belongs to one odometry message; particles, state and markers at most at
-  /// `cloud_rate`.
+  /// The estimate as the pose that belongs to one odometry message; particles, state, markers and path at
+  /// most at `cloud_rate`.
   void publish(const Localizer& localizer, const PoseEstimate& estimate, const nav_msgs::Odometry& odometry,
                const LocalFrame& map);
 
@@ -28,8 +29,8 @@ class LocalizationOutputs {
   /// The same whatever was published last.
   void publish_state(const Localizer& localizer, const ros::Time& stamp);
 
-  /// A fix as it lies in map.
-  void publish_fix(const GnssFix& fix, const std_msgs::Header& header);
+  /// The fixes of a measurement as they lie in map.
+  void publish_fixes(const Measurement& measurement, const GnssMessage& message);
 
   /// What became of a fix.
   void publish(const FixReport& report) const { report_.publish(report); }
@@ -42,11 +43,14 @@ class LocalizationOutputs {
 
  private:
   [[nodiscard]] std_msgs::Header in_map(const ros::Time& stamp) const;
+  void publish_fix(const GnssFix& fix, const std_msgs::Header& header);
   void publish_picture(const Localizer& localizer, const PoseEstimate& estimate, const ros::Time& stamp);
 
   FrameParameters frames_;
   OutputParameters parameters_;
-  ros::Publisher odometry_, pose_, cloud_, gps_odometry_, gps_filtered_, bias_, report_, state_, markers_;
+  ros::Publisher odometry_, pose_, cloud_, gps_odometry_, gps_filtered_, bias_, report_, state_, markers_,
+      path_;
+  Trail trail_;
   std::optional<GnssFix> last_fix_;
   std::optional<Trust> last_state_;
   double last_picture_ = 0.0;

@@ -19,8 +19,10 @@ void OutputParameters::fields(ParameterVisitor& field) {
   field("transform_tolerance", transform_tolerance, {0.0, 10.0}, "s", "map -> odom is dated this far ahead");
   field("tf_rate", tf_rate, {20.0, 200.0}, "Hz",
         "map -> odom is repeated at this rate where odometry is slower");
-  field("cloud_rate", cloud_rate, {0.1, 100.0}, "Hz", "of particlecloud, state and markers, at most");
+  field("cloud_rate", cloud_rate, {0.1, 100.0}, "Hz", "of particlecloud, state, markers and path, at most");
   field("max_cloud_poses", max_cloud_poses, {1, 1000000}, "1", "in particlecloud and markers, at most");
+  field("path_length", path_length, {0, 1000000}, "1", "poses that path goes back, 0: no path");
+  field("path_spacing", path_spacing, {0.0, 1000.0}, "m", "between the poses of path, at least");
 }
 
 void LocalizationParameters::fields(ParameterVisitor& field) {
@@ -30,12 +32,12 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
   frames.fields(field);
   outputs.fields(field);
   field("datum", datum, {-180.0, 1e5}, "deg, deg, m",
-        "latitude, longitude and perhaps altitude of map's origin; empty: from the first fixes");
-  field("datum_averaging", datum_averaging, {0.0, 600.0}, "s",
-        "without a datum, map's origin is the median of the fixes of this time, 0: the first fix");
-  field("require_antenna_transform", require_antenna_transform,
-        "refuse fixes whose frame tf does not know, instead of taking the antenna to be at the base");
-  field.group("fix", fix, "how fixes are read");
+        "latitude, longitude and perhaps altitude of map's origin; empty: from the first measurements");
+  field(
+      "datum_averaging", datum_averaging, {0.0, 600.0}, "s",
+      "without a datum, map's origin is the median of the fixes (of raw epochs the least-squares solutions) "
+      "of this time, 0: the first");
+  gnss.fields(field);
   field.group("odometry", odometry, "how odometry is read");
   field.group("localizer", localizer, "how late and missing measurements are treated");
   const bool is_datum =
@@ -66,6 +68,18 @@ LocalizationSettings LocalizationSettings::from(const YAML::Node& source) {
   if (chosen) settings.estimator_parameters = chosen;
   static_cast<void>(settings.make_estimator());  // throws where the name is unknown
   return settings;
+}
+
+UsedKinds LocalizationSettings::used_kinds() const {
+  const std::array<Measurement, std::variant_size_v<Measurement>> empty = {GnssFix{}, DualAntennaFix{},
+                                                                           PseudorangeEpoch{}};
+  UsedKinds used{};
+  for (std::size_t kind = 0; kind < used.size(); ++kind) {
+    const std::unique_ptr<Estimator> estimator = make_estimator();
+    estimator->start(std::nullopt);
+    used[kind] = estimator->update(empty[kind]).reason != Reason::kUnused;
+  }
+  return used;
 }
 
 std::unique_ptr<Estimator> LocalizationSettings::make_estimator() const {

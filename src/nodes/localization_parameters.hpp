@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "multipath_localization/estimators/localizer.hpp"
-#include "nodes/conversions.hpp"
+#include "nodes/gnss_message.hpp"
 #include "nodes/odometry_reader.hpp"
 
 namespace multipath_localization {
@@ -29,6 +29,8 @@ struct OutputParameters {
   double tf_rate = 30.0;
   double cloud_rate = 5.0;
   int max_cloud_poses = 500;
+  int path_length = 0;
+  double path_spacing = 0.5;
 
   void fields(ParameterVisitor& field);
 };
@@ -41,8 +43,7 @@ struct LocalizationParameters {
   OutputParameters outputs;
   std::vector<double> datum;
   double datum_averaging = 0.0;
-  bool require_antenna_transform = false;
-  FixParameters fix;
+  GnssParameters gnss;
   OdometryParameters odometry;
   LocalizerParameters localizer;
 
@@ -59,6 +60,10 @@ struct LocalizationSettings {
   static LocalizationSettings from(const YAML::Node& source);
 
   [[nodiscard]] std::unique_ptr<Estimator> make_estimator() const;
+
+  /// Whether the estimator has a model for each kind of GnssMessage, by asking one about an empty
+  /// measurement.
+  [[nodiscard]] UsedKinds used_kinds() const;
 };
 
 }  // namespace multipath_localization

@@ -4,7 +4,6 @@
 #include <geometry_msgs/Vector3Stamped.h>
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
-#include <sensor_msgs/NavSatFix.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
@@ -47,17 +46,12 @@ void SimulatorNodeParameters::fields(ParameterVisitor& field) {
   field("publish_clock", publish_clock, "drive /clock in real time too");
   field("command_timeout", command_timeout, {0.0, 60.0}, "s",
         "without a command for this long the robot stops");
-  field("map_frame", map_frame, {}, "of truth, zones and buildings");
-  field("odom_frame", odom_frame, {}, "in which odometry starts at zero");
-  field("base_link_frame", base_link_frame, {}, "of the robot");
-  field("gps_frame", gps_frame, {}, "of the antenna");
+  frames.fields(field);
 }
 
 SimulatorNode::SimulatorNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                              const SimulatorNodeParameters& parameters)
-    : parameters_(parameters),
-      simulator_(parameters.simulator, static_cast<std::uint64_t>(parameters.seed)),
-      map_(parameters.simulator.datum()) {
+    : parameters_(parameters), simulator_(parameters.simulator, static_cast<std::uint64_t>(parameters.seed)) {
   if (parameters_.drives_clock() && !ros::Time::isSimTime()) {
     throw ParameterError(
         "real_time_factor and publish_clock need /use_sim_time to be true before any node starts");
@@ -67,14 +61,13 @@ SimulatorNode::SimulatorNode(const ros::NodeHandle& node, const ros::NodeHandle&
   advertise(outer, own);
   wall_start_ = ros::WallTime::now();
   origin_ = ros::Time(wall_start_.sec, wall_start_.nsec);
-  publish_antenna();
-  markers_.publish(world_markers(parameters_.simulator, header(ros::Time(), parameters_.map_frame)));
+  gnss_.emplace(outer, parameters_.simulator, parameters_.frames, origin_);
+  markers_.publish(world_markers(parameters_.simulator, header(ros::Time(), parameters_.frames.map_frame)));
   const double period = std::max(simulator_.time_step() / parameters_.real_time_factor, 1e-3);
   timer_ = outer.createWallTimer(ros::WallDuration(period), [this](const ros::WallTimerEvent&) { tick(); });
 }
 
 void SimulatorNode::advertise(ros::NodeHandle& node, ros::NodeHandle& private_node) {
-  fix_ = node.advertise<sensor_msgs::NavSatFix>("gps/fix", 50);
   odometry_ = node.advertise<nav_msgs::Odometry>("odom", 200);
   truth_ = node.advertise<nav_msgs::Odometry>("truth", 200);
   bias_ = node.advertise<geometry_msgs::Vector3Stamped>("truth/bias", 200);
@@ -117,32 +110,15 @@ void SimulatorNode::step() {
     publish_odometry(*readings.odometry);
     publish_truth();
   }
-  for (const GnssFix& fix : readings.fixes) publish_fix(fix);
-}
-
-void SimulatorNode::publish_fix(const GnssFix& fix) {
-  const Geodetic point = map_.to_geodetic(fix.position);
-  sensor_msgs::NavSatFix message;
-  message.header = header(stamp(fix.stamp), parameters_.gps_frame);
-  message.status.status = sensor_msgs::NavSatStatus::STATUS_FIX;
-  message.status.service = sensor_msgs::NavSatStatus::SERVICE_GPS;
-  message.latitude = point.latitude_deg;
-  message.longitude = point.longitude_deg;
-  message.altitude = point.altitude;
-  message.position_covariance[0] = fix.covariance(0, 0);
-  message.position_covariance[1] = message.position_covariance[3] = fix.covariance(0, 1);
-  message.position_covariance[4] = fix.covariance(1, 1);
-  message.position_covariance[8] = 2.0 * fix.covariance.trace();
-  message.position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_KNOWN;
-  fix_.publish(message);
+  for (const Measurement& measurement : readings.measurements) gnss_->publish(measurement);
 }
 
 void SimulatorNode::publish_odometry(const OdometryIncrement& increment) {
   base_in_odom_ = base_in_odom_ * displacement(increment);
   const OdometerParameters& odometer = parameters_.simulator.odometer;
   nav_msgs::Odometry message;
-  message.header = header(stamp(increment.stamp), parameters_.odom_frame);
-  message.child_frame_id = parameters_.base_link_frame;
+  message.header = header(stamp(increment.stamp), parameters_.frames.odom_frame);
+  message.child_frame_id = parameters_.frames.base_link_frame;
   message.pose.pose = to_message(base_in_odom_);
   message.twist.twist.linear.x = increment.speed;
   message.twist.twist.angular.z = increment.yaw_rate;
@@ -159,8 +135,8 @@ void SimulatorNode::publish_odometry(const OdometryIncrement& increment) {
 
 void SimulatorNode::publish_truth() {
   nav_msgs::Odometry message;
-  message.header = header(stamp(simulator_.time()), parameters_.map_frame);
-  message.child_frame_id = parameters_.base_link_frame;
+  message.header = header(stamp(simulator_.time()), parameters_.frames.map_frame);
+  message.child_frame_id = parameters_.frames.base_link_frame;
   message.pose.pose = to_message(simulator_.truth());
   message.twist.twist.linear.x = simulator_.speed();
   message.twist.twist.angular.z = simulator_.yaw_rate();
@@ -171,13 +147,6 @@ void SimulatorNode::publish_truth() {
   bias.vector.y = simulator_.bias().y();
   bias.vector.z = simulator_.in_shadow() ? 1.0 : 0.0;
   bias_.publish(bias);
-}
-
-void SimulatorNode::publish_antenna() {
-  const ReceiverParameters& receiver = parameters_.simulator.receiver;
-  static_transforms_.sendTransform(transform(header(origin_, parameters_.base_link_frame),
-                                             parameters_.gps_frame,
-                                             {receiver.antenna_x, receiver.antenna_y, 0.0}));
 }
 
 }  // namespace multipath_localization

@@ -2,14 +2,14 @@
 
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
-#include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <optional>
 #include <string>
 
 #include "multipath_localization/SteeringCommand.h"
-#include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/simulation/simulator.hpp"
+#include "nodes/simulated_gnss.hpp"
 
 namespace multipath_localization {
 
@@ -20,10 +20,7 @@ struct SimulatorNodeParameters {
   double real_time_factor = 1.0;
   bool publish_clock = false;
   double command_timeout = 0.5;
-  std::string map_frame = "map";
-  std::string odom_frame = "odom";
-  std::string base_link_frame = "base_link";
-  std::string gps_frame = "gps";
+  SimulatorFrames frames;
 
   void fields(ParameterVisitor& field);
   /// Other than in real time, time itself is simulated.
@@ -42,25 +39,22 @@ class SimulatorNode {
   void take(const MotionCommand& command);
   void tick();
   void step();
-  void publish_fix(const GnssFix& fix);
   void publish_odometry(const OdometryIncrement& increment);
   void publish_truth();
-  void publish_antenna();
   [[nodiscard]] ros::Time stamp(double time) const { return origin_ + ros::Duration(time); }
 
   SimulatorNodeParameters parameters_;
   Simulator simulator_;
-  LocalFrame map_;
   ros::WallTime wall_start_;
   ros::Time origin_;  ///< stamp of simulated time 0
+  std::optional<SimulatedGnss> gnss_;
   MotionCommand command_;
   double command_time_ = 0.0;  ///< simulated, of its arrival
   Pose2 base_in_odom_;
 
-  ros::Publisher fix_, odometry_, truth_, bias_, clock_, markers_;
+  ros::Publisher odometry_, truth_, bias_, clock_, markers_;
   ros::Subscriber steering_, cmd_vel_;
   tf2_ros::TransformBroadcaster transforms_;
-  tf2_ros::StaticTransformBroadcaster static_transforms_;
   ros::WallTimer timer_;
 };
 

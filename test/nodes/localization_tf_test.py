@@ -6,8 +6,9 @@ import unittest
 
 import rospy
 import rostest
+import tf2_ros
 from rosgraph_msgs.msg import Clock
-from synthetic_drive import Robot, Session, yaw_of
+from synthetic_drive import Robot, Session, antenna_transform, yaw_of
 from tf2_msgs.msg import TFMessage
 
 
@@ -16,6 +17,8 @@ class LocalizationTf(unittest.TestCase):
         self.transforms, self.strangers = [], set()
         self.clock = rospy.Publisher('/clock', Clock, queue_size=100, tcp_nodelay=True)
         self.tf = rospy.Subscriber('/tf', TFMessage, self.on_tf, tcp_nodelay=True)
+        self.static_tf = tf2_ros.StaticTransformBroadcaster()
+        self.static_tf.sendTransform(antenna_transform('gps', 1.0, 0.4, yaw=0.3))
         self.session = Session()
 
     def on_tf(self, message):

@@ -7,7 +7,7 @@ import rospy
 import rostest
 import tf2_ros
 from geometry_msgs.msg import Twist, Vector3Stamped
-from multipath_localization.msg import SteeringCommand
+from multipath_localization.msg import GnssEpoch, SteeringCommand
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import NavSatFix
 from visualization_msgs.msg import MarkerArray
@@ -39,6 +39,9 @@ class SimulatorNodeTest(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node("simulator_node_test")
         cls.fix = Recorder("gps/fix", NavSatFix)
+        cls.left = Recorder("gps/left/fix", NavSatFix)
+        cls.right = Recorder("gps/right/fix", NavSatFix)
+        cls.epoch = Recorder("sky/gnss/epoch", GnssEpoch)
         cls.odometry = Recorder("odom", Odometry)
         cls.truth = Recorder("truth", Odometry)
         cls.bias = Recorder("truth/bias", Vector3Stamped)
@@ -80,6 +83,27 @@ class SimulatorNodeTest(unittest.TestCase):
         self.assertAlmostEqual(fix.position_covariance[0], 0.09, places=9)
         self.assertAlmostEqual(fix.latitude, 33.894, delta=0.001)
         self.assertAlmostEqual(fix.longitude, 130.839, delta=0.001)
+
+    def test_pairs_come_from_antennas_that_tf_knows(self):
+        left, right = self.left.wait(1)[0], self.right.wait(1)[0]
+        self.assertEqual((left.header.frame_id, right.header.frame_id), ("gps_left", "gps_right"))
+        baseline = self.buffer.lookup_transform("gps_right", "gps_left", rospy.Time(0), rospy.Duration(5.0))
+        self.assertAlmostEqual(baseline.transform.translation.y, 0.3)
+        metres_per_degree = 111e3
+        self.assertLess(abs(left.latitude - right.latitude) * metres_per_degree, 0.5)
+
+    def test_epochs_come_from_simulated_satellites_alone(self):
+        epoch = self.epoch.wait(2)[-1]
+        self.assertEqual(epoch.header.frame_id, "sky_gps")
+        self.assertGreater(len(epoch.pseudoranges), 10, "in the open")
+        for observed in epoch.pseudoranges:
+            centre = math.dist((observed.position.x, observed.position.y, observed.position.z), (0.0, 0.0, 0.0))
+            self.assertTrue(2.4e7 < centre < 3.2e7, centre)
+            self.assertTrue(1.8e7 < observed.pseudorange < 3.0e7, observed.pseudorange)
+        topics = [topic for topic, _ in rospy.get_published_topics()]
+        self.assertIn("/sky/gps/fix", topics)
+        self.assertNotIn("/gnss/epoch", topics)
+        self.assertNotIn("/sky/gps/left/fix", topics)
 
     def test_fixes_come_late(self):
         self.fix.wait(5)

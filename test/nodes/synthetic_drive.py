@@ -1,16 +1,21 @@
 """A drive over open ground for tests of localization_node: messages made here, one at a time, on their own stamps."""
+import copy
 import math
 import random
 import threading
+import time
 
 import rospy
-from geometry_msgs.msg import Quaternion
-from multipath_localization.msg import FixReport, LocalizationState
+from geometry_msgs.msg import Quaternion, TransformStamped, Vector3
+from multipath_localization.msg import FixReport, GnssEpoch, LocalizationState, Pseudorange
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import NavSatFix, NavSatStatus
 
 DATUM = (52.5, 13.4, 40.0)
 MAJOR, ECCENTRICITY2 = 6378137.0, 6.69437999014e-3
+EARTH_RATE, LIGHT = 7.2921151467e-5, 299792458.0
+CLOCK = -136902.0  # of the receiver [m]
+SKY = [(45.0 * i, elevation) for i, elevation in enumerate((20.0, 45.0, 70.0, 30.0) * 2)]  # azimuth, elevation [deg]
 
 
 def to_geodetic(east, north):
@@ -20,6 +25,30 @@ def to_geodetic(east, north):
     along_meridian = MAJOR * (1.0 - ECCENTRICITY2) / w ** 3 + DATUM[2]
     across = (MAJOR / w + DATUM[2]) * math.cos(latitude)
     return DATUM[0] + math.degrees(north / along_meridian), DATUM[1] + math.degrees(east / across)
+
+
+def to_ecef(east, north, up):
+    """A point of the map in ECEF."""
+    latitude, longitude = math.radians(DATUM[0]), math.radians(DATUM[1])
+    s, c, sl, cl = math.sin(latitude), math.cos(latitude), math.sin(longitude), math.cos(longitude)
+    across = MAJOR / math.sqrt(1.0 - ECCENTRICITY2 * s * s)
+    outward = (across + DATUM[2]) * c - s * north + c * up
+    return (cl * outward - sl * east, sl * outward + cl * east,
+            (across * (1.0 - ECCENTRICITY2) + DATUM[2]) * s + c * north + s * up)
+
+
+def pseudorange_of(satellite, azimuth, elevation, antenna):
+    """What a receiver without error but in its clock measures of a satellite 22000 km off."""
+    a, e = math.radians(azimuth), math.radians(elevation)
+    place = [2.2e7 * part for part in (math.sin(a) * math.cos(e), math.cos(a) * math.cos(e), math.sin(e))]
+    message = Pseudorange(constellation=Pseudorange.GPS, satellite=satellite, cn0=45.0, elevation=e, sigma=3.0)
+    message.pseudorange = math.dist(place, antenna) + CLOCK
+    message.range_rate = message.velocity.x = message.velocity.y = message.velocity.z = math.nan
+    turn = EARTH_RATE * math.hypot(*place) / LIGHT  # of the Earth while the signal flies
+    x, y, message.position.z = to_ecef(*place)
+    message.position.x = math.cos(turn) * x - math.sin(turn) * y
+    message.position.y = math.sin(turn) * x + math.cos(turn) * y
+    return message
 
 
 class Robot:
@@ -64,8 +93,38 @@ class Robot:
         message.position_covariance_type = NavSatFix.COVARIANCE_TYPE_DIAGONAL_KNOWN
         return message
 
+    def pair(self, baseline=1.0):
+        """Fixes of antennas to the left and to the right, good to a centimetre."""
+        fixes = []
+        for frame, side in (('gps_left', 0.5), ('gps_right', -0.5)):
+            antenna = copy.copy(self)
+            antenna.antenna, antenna.noise = (0.0, side * baseline), 0.01
+            fixes.append(antenna.fix())
+            fixes[-1].header.frame_id = frame
+            fixes[-1].position_covariance = [1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1.0]
+        return fixes
+
+    def epoch(self):
+        """Pseudoranges of eight satellites with white noise."""
+        message = GnssEpoch()
+        message.header.stamp = rospy.Time.from_sec(round(self.stamp, 6))
+        message.header.frame_id = 'gps'
+        for satellite, (azimuth, elevation) in enumerate(SKY, 1):
+            message.pseudoranges.append(pseudorange_of(satellite, azimuth, elevation, (self.x, self.y, 0.0)))
+            message.pseudoranges[-1].pseudorange += self.random.gauss(0.0, self.noise)
+        return message
+
     def error_of(self, pose):
         return math.hypot(pose.position.x - self.x, pose.position.y - self.y)
+
+
+def antenna_transform(frame, x, y, yaw=0.0):
+    """Where on the base an antenna is, for a StaticTransformBroadcaster."""
+    transform = TransformStamped()
+    transform.header.frame_id, transform.child_frame_id = 'base_link', frame
+    transform.transform.translation = Vector3(x, y, 1.5)
+    transform.transform.rotation = Quaternion(0.0, 0.0, math.sin(0.5 * yaw), math.cos(0.5 * yaw))
+    return transform
 
 
 def yaw_of(orientation):
@@ -85,19 +144,22 @@ def numbers_of(message):
 
 
 class Session:
-    """Talks with the node under test and remembers its answers by stamp."""
+    """Talks with the node under test in a namespace ('' or 'name/') and remembers its answers by stamp."""
 
-    def __init__(self):
+    def __init__(self, space=''):
         self.condition = threading.Condition()
         self.poses, self.reports, self.states, self.seen = {}, [], [], []
-        self.odom = rospy.Publisher('odom', Odometry, queue_size=1000)
-        self.gps = rospy.Publisher('gps/fix', NavSatFix, queue_size=1000)
+        self.odom = rospy.Publisher(space + 'odom', Odometry, queue_size=1000)
+        self.gps = rospy.Publisher(space + 'gps/fix', NavSatFix, queue_size=1000)
+        self.left = rospy.Publisher(space + 'gps/left/fix', NavSatFix, queue_size=1000)
+        self.right = rospy.Publisher(space + 'gps/right/fix', NavSatFix, queue_size=1000)
+        self.raw = rospy.Publisher(space + 'gnss/epoch', GnssEpoch, queue_size=1000)
         self.subscribers = [
-            rospy.Subscriber('odometry/filtered_map', Odometry, self.on_pose, tcp_nodelay=True),
-            rospy.Subscriber('localization/fix_report', FixReport, self.on_report, tcp_nodelay=True),
-            rospy.Subscriber('localization/state', LocalizationState, self.on_state, tcp_nodelay=True)]
-        self.wait(lambda: self.odom.get_num_connections() and self.gps.get_num_connections() and
-                  all(s.get_num_connections() for s in self.subscribers), 'the node')
+            rospy.Subscriber(space + 'odometry/filtered_map', Odometry, self.on_pose, tcp_nodelay=True),
+            rospy.Subscriber(space + 'localization/fix_report', FixReport, self.on_report, tcp_nodelay=True),
+            rospy.Subscriber(space + 'localization/state', LocalizationState, self.on_state, tcp_nodelay=True)]
+        links = [self.odom, self.gps, self.left, self.right, self.raw] + self.subscribers
+        self.wait(lambda: all(link.get_num_connections() for link in links), 'the node')
 
     def on_pose(self, message):
         self.note(lambda: self.poses.setdefault(message.header.stamp.to_nsec(), []).append(message))
@@ -130,26 +192,43 @@ class Session:
         self.wait(lambda: stamp in self.poses, 'a pose at %f' % message.header.stamp.to_sec())
         return self.poses[stamp][-1]
 
-    def send_fix(self, message):
-        """Sends a fix and waits for its report."""
+    def reported(self, send, stamp):
+        """Calls what sends a measurement and waits for the report on it."""
         number = len(self.reports)
-        self.gps.publish(message)
-        self.wait(lambda: len(self.reports) > number, 'a report on the fix at %f' % message.header.stamp.to_sec())
+        send()
+        self.wait(lambda: len(self.reports) > number, 'a report on the measurement at %f' % stamp.to_sec())
         return self.reports[-1]
 
-    def drive(self, robot, seconds, fix_every=4, answered=True):
-        """Odometry at 20 Hz, a fix with every `fix_every`-th; returns the poses."""
+    def send_fix(self, message):
+        """Sends a fix and waits for its report."""
+        return self.reported(lambda: self.gps.publish(message), message.header.stamp)
+
+    def send_epoch(self, message):
+        """Sends an epoch and waits for its report."""
+        return self.reported(lambda: self.raw.publish(message), message.header.stamp)
+
+    def send_pair(self, pair):
+        """Sends the fixes of two antennas and waits for the report on both."""
+        left, right = pair
+        return self.reported(lambda: (self.left.publish(left), self.right.publish(right)), left.header.stamp)
+
+    def drive(self, robot, seconds, fix_every=4, answered=True, send=None):
+        """Odometry at 20 Hz, a fix (or what `send` sends) with every `fix_every`-th; returns the poses."""
         poses = []
         for i in range(int(round(seconds * 20))):
             robot.step()
             poses.append(self.send_odometry(robot.odometry(), answered))
             if fix_every and i % fix_every == 0:
-                self.send_fix(robot.fix())
+                if send:
+                    send(robot)
+                else:
+                    self.send_fix(robot.fix())
         return poses
 
     def begin(self, robot):
         """The first odometry and fix; the pose comes with the fix."""
         self.send_odometry(robot.odometry(), answered=False)
+        time.sleep(0.1)  # a fix takes a way of its own and may be faster, which after a jump in time is too early
         self.send_fix(robot.fix())
         stamp = robot.odometry().header.stamp.to_nsec()
         self.wait(lambda: stamp in self.poses, 'the first pose')

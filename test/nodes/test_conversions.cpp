@@ -103,6 +103,52 @@ TEST(ToFix, LooksAtNothingVerticalAndAtOffDiagonalsOnlyWhereTheyAreKnown) {
             Eigen::Matrix2d(Eigen::Vector2d(4.0, 9.0).asDiagonal()));
 }
 
+TEST(ToMessage, IsUndoneByToFix) {
+  GnssFix fix;
+  fix.stamp = 100.5;
+  fix.position = {1234.5, -876.25};
+  fix.covariance << 4.0, 1.0, 1.0, 9.0;
+  std_msgs::Header header;
+  header.stamp = ros::Time(100, 500000000);
+  header.frame_id = "gps";
+  const sensor_msgs::NavSatFix message = to_message(fix, berlin(), header);
+  EXPECT_EQ(message.header.frame_id, "gps");
+  const CheckedFix back = to_fix(message, berlin(), FixParameters{});
+  ASSERT_EQ(back.reason, Reason::kAccepted);
+  EXPECT_EQ(back.fix.stamp, fix.stamp);
+  EXPECT_LT((back.fix.position - fix.position).norm(), 1e-6);
+  EXPECT_EQ(back.fix.covariance, fix.covariance);
+}
+
+TEST(ToDual, ReadsBothFixesWithTheirAntennas) {
+  FixPair pair{good_fix(), good_fix()};
+  pair.right.latitude += 1e-5;
+  pair.right.header.stamp += ros::Duration(0.01);
+  const CheckedDual checked = to_dual(pair, berlin(), FixParameters{}, {0.0, 0.5}, {0.0, -0.5});
+  ASSERT_EQ(checked.reason, Reason::kAccepted);
+  EXPECT_EQ(checked.fix.stamp, 100.5) << "of the left one";
+  EXPECT_EQ(checked.fix.left.antenna_in_base, Eigen::Vector2d(0.0, 0.5));
+  EXPECT_EQ(checked.fix.right.antenna_in_base, Eigen::Vector2d(0.0, -0.5));
+  EXPECT_NEAR((checked.fix.right.position - checked.fix.left.position).y(), 1.113, 0.001);
+  EXPECT_NEAR(checked.fix.right.stamp, 100.51, 1e-9);
+}
+
+TEST(ToDual, RefusesForEitherFix) {
+  const auto refusal = [](const FixPair& pair) {
+    return to_dual(pair, berlin(), FixParameters{}, {0.0, 0.5}, {0.0, -0.5}).reason;
+  };
+  FixPair pair{good_fix(), good_fix()};
+  pair.right.latitude = kNan;
+  EXPECT_EQ(refusal(pair), Reason::kNotFinite);
+  pair.left.status.status = -1;
+  EXPECT_EQ(refusal(pair), Reason::kNoFix) << "the left one's reason first";
+}
+
+TEST(ToDual, RefusesAntennasInOnePlace) {
+  const FixPair pair{good_fix(), good_fix()};
+  EXPECT_EQ(to_dual(pair, berlin(), FixParameters{}, {0.1, 0.0}, {0.1, 0.005}).reason, Reason::kInvalidFrame);
+}
+
 TEST(ToPose2, IsUndoneByToMessage) {
   for (const double yaw : {-3.1, -1.0, 0.0, 0.5, kPi}) {
     const auto back = to_pose2(to_message(Pose2{1.5, -2.0, yaw}));

@@ -45,26 +45,46 @@ TEST(ToPoseArray, CapsTheCloudAndKeepsItsSpread) {
   EXPECT_TRUE(to_pose_array({}, 10, std_msgs::Header()).poses.empty());
 }
 
-TEST(ToReport, SaysWhatBecameOfAFix) {
+TEST(ToReport, IntroducesEachKind) {
+  const FixReport fix = to_report(good_fix());
+  EXPECT_EQ(fix.kind, "fix");
+  EXPECT_EQ(fix.header.stamp, good_fix().header.stamp);
+  EXPECT_NEAR(fix.declared_sigma, std::sqrt(6.5), 1e-12);
+  EXPECT_EQ(fix.satellites, 0u);
+
+  FixPair pair{good_fix(), good_fix()};
+  pair.left.header.frame_id = "gps_left";
+  pair.right.position_covariance[0] = pair.right.position_covariance[4] = 0.5;
+  const FixReport dual = to_report(pair);
+  EXPECT_EQ(dual.kind, "dual");
+  EXPECT_EQ(dual.header.frame_id, "gps_left");
+  EXPECT_NEAR(dual.declared_sigma, std::sqrt(0.5 * (6.5 + 0.5)), 1e-12);
+
+  GnssEpoch raw;
+  raw.pseudoranges.resize(7);
+  const FixReport epoch = to_report(raw);
+  EXPECT_EQ(epoch.kind, "epoch");
+  EXPECT_EQ(epoch.satellites, 7u);
+  EXPECT_TRUE(std::isnan(epoch.declared_sigma));
+}
+
+TEST(Concluded, SaysWhatBecameOfAMeasurement) {
   Innovation innovation = refused(Reason::kGated);
   innovation.innovation = {3.0, -4.0};
   innovation.covariance = 2.25 * Eigen::Matrix2d::Identity();
-  const FixReport report = to_report(innovation, good_fix(), 101.0, 7);
+  const FixReport report = concluded(to_report(good_fix()), innovation, 101.0);
   EXPECT_FALSE(report.accepted);
   EXPECT_EQ(report.reason, "gated");
-  EXPECT_EQ(report.header.stamp, good_fix().header.stamp);
   EXPECT_EQ(report.innovation_y, -4.0);
-  EXPECT_NEAR(report.declared_sigma, std::sqrt(6.5), 1e-12);
   EXPECT_NEAR(report.predicted_sigma, 1.5, 1e-12);
   EXPECT_NEAR(report.age, 0.5, 1e-9);
-  EXPECT_EQ(report.sequence, 7u);
 }
 
-TEST(ToReport, KnowsNoAgeWithoutStamps) {
+TEST(Concluded, KnowsNoAgeWithoutStamps) {
   sensor_msgs::NavSatFix unstamped = good_fix();
   unstamped.header.stamp = ros::Time();
-  EXPECT_EQ(to_report(Innovation{}, unstamped, 101.0, 1).age, 0.0);
-  EXPECT_EQ(to_report(Innovation{}, good_fix(), 0.0, 1).age, 0.0);
+  EXPECT_EQ(concluded(to_report(unstamped), Innovation{}, 101.0).age, 0.0);
+  EXPECT_EQ(concluded(to_report(good_fix()), Innovation{}, 0.0).age, 0.0);
 }
 
 TEST(ToNavSatFix, ClaimsAFixOnlyWhereThePoseCanBeTrusted) {

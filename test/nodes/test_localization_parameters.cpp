@@ -56,5 +56,19 @@ TEST(LocalizationSettings, RefuseADatumThatIsNone) {
   EXPECT_NE(refusal_of("{datum: [139.7, 35.6]}"), "") << "longitude first";
 }
 
+TEST(LocalizationSettings, AskTheEstimatorForTheKindsItUses) {
+  const UsedKinds used = LocalizationSettings::from(YAML::Load("{estimator: gated_ekf}")).used_kinds();
+  EXPECT_TRUE(used[kFixKind]);
+  EXPECT_FALSE(used[kDualKind]);
+  EXPECT_FALSE(used[kEpochKind]);
+}
+
+TEST(LocalizationSettings, EveryEstimatorUsesSomething) {
+  for (const std::string& name : estimator_names()) {
+    const UsedKinds used = LocalizationSettings::from(YAML::Load("{estimator: " + name + "}")).used_kinds();
+    EXPECT_TRUE(used[kFixKind] || used[kDualKind] || used[kEpochKind]) << name;
+  }
+}
+
 }  // namespace
 }  // namespace multipath_localization

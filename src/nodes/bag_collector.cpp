@@ -1,0 +1,128 @@
+#include "nodes/bag_collector.hpp"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Vector3Stamped.h>
+#include <tf2/exceptions.h>
+
+#include "nodes/earth_frame.hpp"
+
+namespace multipath_localization {
+
+void BagCollector::take(const rosbag::MessageInstance& message) {
+  const std::string& topic = message.getTopic();
+  if (without_slash(topic) == "tf_static") add(*message.instantiate<tf2_msgs::TFMessage>());
+  if (topic == topics_.odometry) add(*message.instantiate<nav_msgs::Odometry>());
+  if (topic == topics_.truth) take_truth(message);
+  if (topic == topics_.shadow) {
+    const auto bias = message.instantiate<geometry_msgs::Vector3Stamped>();
+    shadows_[bias->header.stamp.toSec()] = bias->vector.z > 0.5;
+  }
+  if (topic == topics_.fix) add(*message.instantiate<sensor_msgs::NavSatFix>());
+  if (topic == topics_.epoch) add(*message.instantiate<GnssEpoch>());
+  if (topic == topics_.left) add(FixPairing::Side::kLeft, *message.instantiate<sensor_msgs::NavSatFix>());
+  if (topic == topics_.right) add(FixPairing::Side::kRight, *message.instantiate<sensor_msgs::NavSatFix>());
+}
+
+void BagCollector::finish() {
+  for (const sensor_msgs::NavSatFix& fix : pairing_.clear()) give_up(fix);
+}
+
+std::vector<TruthSample> BagCollector::truth() const {
+  std::vector<TruthSample> samples;
+  for (const auto& [stamp, base_in_map] : truth_) {
+    samples.push_back({stamp, base_in_map, turns_, std::nullopt});
+    const auto later = shadows_.upper_bound(stamp);
+    if (shadows_.empty()) continue;
+    samples.back().shadow = later == shadows_.begin() ? later->second : std::prev(later)->second;
+  }
+  return samples;
+}
+
+std::optional<Eigen::Vector2d> BagCollector::antenna_in_base(const std::string& frame) const {
+  const std::string name = without_slash(frame);
+  if (name == base_frame_) return Eigen::Vector2d::Zero();
+  const auto antenna = transform(base_frame_, name);
+  if (!antenna) return std::nullopt;
+  return Eigen::Vector2d(antenna->translation.x, antenna->translation.y);
+}
+
+std::optional<Geodetic> BagCollector::datum() const {
+  const auto map = transform(kEarthFrame, truth_frame_);
+  return map ? datum_of(*map) : std::nullopt;
+}
+
+std::vector<std::string> BagCollector::refusals() const {
+  std::vector<std::string> all;
+  for (const auto& [refusal, times] : refusals_) {
+    all.push_back(refusal + ", " + std::to_string(times) + " times");
+  }
+  return all;
+}
+
+void BagCollector::add(const nav_msgs::Odometry& message) {
+  const CheckedOdometry checked = reader_.read(message);
+  if (!passes(topics_.odometry, checked.reason)) return;
+  if (checked.restarted) throw DriveError(file_ + ": " + topics_.odometry + " jumps in time");
+  odometry_.push_back(checked.increment);
+  base_frame_ = without_slash(message.child_frame_id);
+}
+
+void BagCollector::add(const GnssMessage& message) {
+  if (!passes(topic_of(message.index()), check(message, {}))) return;
+  const double stamp = header_of(message).stamp.toSec();
+  received_.push_back({message, odometry_.empty() ? stamp : odometry_.back().stamp});
+}
+
+void BagCollector::add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix) {
+  const FixPairing::Outcome outcome = pairing_.add(side, fix);
+  for (const sensor_msgs::NavSatFix& unpaired : outcome.unpaired) give_up(unpaired);
+  if (outcome.pair) add(GnssMessage(*outcome.pair));
+}
+
+void BagCollector::add(const tf2_msgs::TFMessage& message) {
+  for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+    tf_.setTransform(transform, "bag", true);
+  }
+}
+
+void BagCollector::take_truth(const rosbag::MessageInstance& message) {
+  const auto pose = message.instantiate<geometry_msgs::PoseStamped>();
+  const auto odometry = message.instantiate<nav_msgs::Odometry>();
+  if (pose) add_truth(pose->header, pose->pose);
+  if (odometry) add_truth(odometry->header, odometry->pose.pose);
+}
+
+void BagCollector::add_truth(const std_msgs::Header& header, const geometry_msgs::Pose& message) {
+  const std::optional<Pose2> pose = to_pose2(message);
+  if (!passes(topics_.truth, pose ? Reason::kAccepted : Reason::kInvalidPosition)) return;
+  turns_ = turns_ || pose->yaw != 0.0;
+  truth_[header.stamp.toSec()] = *pose;
+  truth_frame_ = without_slash(header.frame_id);
+}
+
+void BagCollector::give_up(const sensor_msgs::NavSatFix& fix) {
+  const Reason defect = check(fix, FixParameters{});
+  refuse(kDualKind, defect == Reason::kAccepted ? Reason::kUnpaired : defect);
+}
+
+bool BagCollector::passes(const std::string& topic, Reason reason) {
+  if (reason == Reason::kAccepted) return true;
+  ++refusals_[topic + ": " + std::string(to_string(reason))];
+  return false;
+}
+
+std::string BagCollector::topic_of(std::size_t kind) const {
+  if (kind == kFixKind) return topics_.fix;
+  return kind == kEpochKind ? topics_.epoch : topics_.left + " and " + topics_.right;
+}
+
+std::optional<geometry_msgs::Transform> BagCollector::transform(const std::string& parent,
+                                                                const std::string& child) const {
+  try {
+    return tf_.lookupTransform(parent, child, ros::Time(0)).transform;
+  } catch (const tf2::TransformException&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,41 @@
+#include "nodes/earth_frame.hpp"
+
+#include <Eigen/Geometry>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kSameAxes = 1e-3;  ///< [rad]
+
+Eigen::Quaterniond turn_of(const LocalFrame& map) {
+  Eigen::Matrix3d axes;
+  for (int i = 0; i < 3; ++i) axes.col(i) = map.vector_to_ecef(Eigen::Vector3d::Unit(i));
+  return Eigen::Quaterniond(axes);
+}
+
+}  // namespace
+
+geometry_msgs::Transform map_in_earth(const LocalFrame& map) {
+  const Eigen::Quaterniond turn = turn_of(map);
+  geometry_msgs::Transform transform;
+  transform.translation.x = map.origin().x();
+  transform.translation.y = map.origin().y();
+  transform.translation.z = map.origin().z();
+  transform.rotation.x = turn.x();
+  transform.rotation.y = turn.y();
+  transform.rotation.z = turn.z();
+  transform.rotation.w = turn.w();
+  return transform;
+}
+
+std::optional<Geodetic> datum_of(const geometry_msgs::Transform& map_in_earth) {
+  const geometry_msgs::Vector3& t = map_in_earth.translation;
+  const geometry_msgs::Quaternion& q = map_in_earth.rotation;
+  const Geodetic datum = to_geodetic(Eigen::Vector3d(t.x, t.y, t.z));
+  if (!valid(datum)) return std::nullopt;
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+  return turn.angularDistance(turn_of(LocalFrame(datum))) < kSameAxes ? std::optional(datum) : std::nullopt;
+}
+
+}  // namespace multipath_localization

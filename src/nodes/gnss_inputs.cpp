@@ -1,0 +1,78 @@
+#include "nodes/gnss_inputs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr std::uint32_t kQueue = 500;
+
+ros::TransportHints at_once() { return ros::TransportHints().tcpNoDelay(); }
+
+}  // namespace
+
+GnssInputs::GnssInputs(ros::NodeHandle node, double pair_tolerance, const UsedKinds& used, Take take,
+                       GiveUp give_up)
+    : pairing_(pair_tolerance),
+      take_(std::move(take)),
+      give_up_(std::move(give_up)),
+      monitors_{
+          InputMonitor("fix", {node.subscribe("gps/fix", kQueue, &GnssInputs::on_fix, this, at_once())},
+                       used[kFixKind]),
+          InputMonitor("dual",
+                       {node.subscribe("gps/left/fix", kQueue, &GnssInputs::on_left, this, at_once()),
+                        node.subscribe("gps/right/fix", kQueue, &GnssInputs::on_right, this, at_once())},
+                       used[kDualKind]),
+          InputMonitor("epoch",
+                       {node.subscribe("gnss/epoch", kQueue, &GnssInputs::on_epoch, this, at_once())},
+                       used[kEpochKind])} {}
+
+void GnssInputs::on_fix(const sensor_msgs::NavSatFix::ConstPtr& message) {
+  of(kFixKind).arrived();
+  take_(*message);
+}
+
+void GnssInputs::on_left(const sensor_msgs::NavSatFix::ConstPtr& message) {
+  add(FixPairing::Side::kLeft, *message);
+}
+
+void GnssInputs::on_right(const sensor_msgs::NavSatFix::ConstPtr& message) {
+  add(FixPairing::Side::kRight, *message);
+}
+
+void GnssInputs::on_epoch(const GnssEpoch::ConstPtr& message) {
+  of(kEpochKind).arrived();
+  take_(*message);
+}
+
+void GnssInputs::add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix) {
+  of(kDualKind).arrived();
+  const FixPairing::Outcome outcome = pairing_.add(side, fix);
+  for (const sensor_msgs::NavSatFix& unpaired : outcome.unpaired) give_up_(unpaired);
+  if (outcome.pair) take_(*outcome.pair);
+}
+
+void GnssInputs::clear() {
+  for (const sensor_msgs::NavSatFix& unpaired : pairing_.clear()) give_up_(unpaired);
+}
+
+std::string GnssInputs::described() const {
+  std::string text;
+  for (const InputMonitor& monitor : monitors_) {
+    if (monitor.awaited()) text += (text.empty() ? "" : " or ") + monitor.described();
+  }
+  return text;
+}
+
+double GnssInputs::silence() const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const InputMonitor& monitor : monitors_) {
+    if (monitor.awaited()) shortest = std::min(shortest, monitor.silence());
+  }
+  return shortest;
+}
+
+}  // namespace multipath_localization

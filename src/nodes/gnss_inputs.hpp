@@ -1,0 +1,49 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <array>
+#include <functional>
+#include <string>
+
+#include "nodes/fix_pairing.hpp"
+#include "nodes/gnss_message.hpp"
+#include "nodes/input_monitor.hpp"
+
+namespace multipath_localization {
+
+/// Subscribes to `gps/fix`, `gps/left/fix` with `gps/right/fix`, and `gnss/epoch`, and hands on what comes.
+class GnssInputs {
+ public:
+  using Take = std::function<void(const GnssMessage&)>;
+  /// Takes a fix of one of two antennas that has found no other.
+  using GiveUp = std::function<void(const sensor_msgs::NavSatFix&)>;
+
+  /// `used`: the kinds that are awaited.
+  GnssInputs(ros::NodeHandle node, double pair_tolerance, const UsedKinds& used, Take take, GiveUp give_up);
+
+  /// Gives up what waits for its other half.
+  void clear();
+
+  [[nodiscard]] InputMonitor& of(std::size_t kind) { return monitors_[kind]; }
+  [[nodiscard]] const InputMonitor& of(std::size_t kind) const { return monitors_[kind]; }
+
+  /// Those awaited, in words: "fix on ... or epoch on ...".
+  [[nodiscard]] std::string described() const;
+  /// Since the last message of an awaited kind, or since the start [s, wall clock].
+  [[nodiscard]] double silence() const;
+
+ private:
+  void on_fix(const sensor_msgs::NavSatFix::ConstPtr& message);
+  void on_left(const sensor_msgs::NavSatFix::ConstPtr& message);
+  void on_right(const sensor_msgs::NavSatFix::ConstPtr& message);
+  void on_epoch(const GnssEpoch::ConstPtr& message);
+  void add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix);
+
+  FixPairing pairing_;
+  Take take_;
+  GiveUp give_up_;
+  std::array<InputMonitor, kGnssKinds.size()> monitors_;
+};
+
+}  // namespace multipath_localization

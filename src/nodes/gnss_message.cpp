@@ -1,0 +1,108 @@
+#include "nodes/gnss_message.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace multipath_localization {
+
+namespace {
+
+/// Reads one kind of message after the other kinds of it have been told apart.
+class Reading {
+ public:
+  Reading(const LocalFrame& map, const GnssParameters& parameters, const AntennaFinder& antenna_in_base)
+      : map_(map), parameters_(parameters), antenna_in_base_(antenna_in_base) {}
+
+  CheckedMeasurement operator()(const sensor_msgs::NavSatFix& message) const {
+    const std::optional<Eigen::Vector2d> antenna = lone_antenna(message.header.frame_id);
+    if (!antenna) return {Reason::kInvalidFrame, {}};
+    const CheckedFix checked = to_fix(message, map_, parameters_.fix, *antenna);
+    return {checked.reason, checked.fix};
+  }
+
+  CheckedMeasurement operator()(const FixPair& message) const {
+    const std::optional<Eigen::Vector2d> left = antenna_in_base_(message.left.header.frame_id);
+    const std::optional<Eigen::Vector2d> right = antenna_in_base_(message.right.header.frame_id);
+    if (!left || !right) return {Reason::kInvalidFrame, {}};
+    const CheckedDual checked = to_dual(message, map_, parameters_.fix, *left, *right);
+    return {checked.reason, checked.fix};
+  }
+
+  CheckedMeasurement operator()(const GnssEpoch& message) const {
+    const std::optional<Eigen::Vector2d> antenna = lone_antenna(message.header.frame_id);
+    if (!antenna) return {Reason::kInvalidFrame, {}};
+    const CheckedEpoch checked = to_epoch(message, map_, parameters_.epoch, *antenna);
+    return {checked.reason, checked.epoch};
+  }
+
+ private:
+  [[nodiscard]] std::optional<Eigen::Vector2d> lone_antenna(const std::string& frame) const {
+    const std::optional<Eigen::Vector2d> antenna = antenna_in_base_(frame);
+    if (antenna || parameters_.require_antenna_transform) return antenna;
+    return Eigen::Vector2d::Zero();
+  }
+
+  const LocalFrame& map_;
+  const GnssParameters& parameters_;
+  const AntennaFinder& antenna_in_base_;
+};
+
+const std_msgs::Header& header(const FixPair& pair) { return pair.left.header; }
+template <class Message>
+const std_msgs::Header& header(const Message& message) {
+  return message.header;
+}
+
+}  // namespace
+
+void GnssParameters::fields(ParameterVisitor& field) {
+  field("require_antenna_transform", require_antenna_transform,
+        "refuse fixes whose frame tf does not know, instead of taking the antenna to be at the base");
+  field("pair_tolerance", pair_tolerance, {0.0, 1.0}, "s",
+        "fixes of the left and the right antenna whose stamps differ by more are of two instants");
+  field.group("fix", fix, "how fixes are read");
+  field.group("epoch", epoch, "how epochs of pseudoranges are read");
+}
+
+const std_msgs::Header& header_of(const GnssMessage& message) {
+  return std::visit([](const auto& m) -> const std_msgs::Header& { return header(m); }, message);
+}
+
+double declared_sigma(const GnssMessage& message) {
+  if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return declared_sigma(*fix);
+  if (const auto* pair = std::get_if<FixPair>(&message)) {
+    return std::hypot(declared_sigma(pair->left), declared_sigma(pair->right)) * std::sqrt(0.5);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::size_t satellites_of(const Measurement& measurement) {
+  const auto* epoch = std::get_if<PseudorangeEpoch>(&measurement);
+  return epoch == nullptr ? 0 : epoch->observations.size();
+}
+
+std::size_t satellites_of(const GnssMessage& message) {
+  const auto* epoch = std::get_if<GnssEpoch>(&message);
+  return epoch == nullptr ? 0 : epoch->pseudoranges.size();
+}
+
+Reason check(const GnssMessage& message, const GnssParameters& parameters) {
+  if (const auto* epoch = std::get_if<GnssEpoch>(&message)) return check(*epoch, parameters.epoch);
+  if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return check(*fix, parameters.fix);
+  const auto& pair = std::get<FixPair>(message);
+  const Reason left = check(pair.left, parameters.fix);
+  return left == Reason::kAccepted ? check(pair.right, parameters.fix) : left;
+}
+
+std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameters& parameters) {
+  if (const auto* epoch = std::get_if<GnssEpoch>(&message)) return solve_geodetic(*epoch, parameters.epoch);
+  if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return to_geodetic(*fix);
+  return to_geodetic(std::get<FixPair>(message).left);
+}
+
+CheckedMeasurement to_measurement(const GnssMessage& message, const LocalFrame& map,
+                                  const GnssParameters& parameters, const AntennaFinder& antenna_in_base) {
+  return std::visit(Reading(map, parameters, antenna_in_base), message);
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "nodes/conversions.hpp"
+#include "nodes/epoch_conversions.hpp"
+
+namespace multipath_localization {
+
+/// What comes in of GNSS. The index is that of what becomes of it, in Measurement.
+using GnssMessage = std::variant<sensor_msgs::NavSatFix, FixPair, GnssEpoch>;
+
+/// Names of these kinds, by index.
+constexpr std::array<std::string_view, std::variant_size_v<GnssMessage>> kGnssKinds = {"fix", "dual",
+                                                                                       "epoch"};
+constexpr std::size_t kFixKind = 0, kDualKind = 1, kEpochKind = 2;
+using UsedKinds = std::array<bool, kGnssKinds.size()>;
+static_assert(std::variant_size_v<Measurement> == kGnssKinds.size());
+
+/// How GNSS messages are read.
+struct GnssParameters {
+  bool require_antenna_transform = false;
+  double pair_tolerance = 0.05;
+  FixParameters fix;
+  EpochParameters epoch;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// A measurement, or the reason why there is none.
+struct CheckedMeasurement {
+  Reason reason = Reason::kAccepted;
+  Measurement measurement;  ///< counts only when accepted
+};
+
+/// Finds the antenna of a frame on the base [m], nothing when tf does not know the frame.
+using AntennaFinder = std::function<std::optional<Eigen::Vector2d>(const std::string& frame)>;
+
+/// Of a pair the left one's.
+const std_msgs::Header& header_of(const GnssMessage& message);
+
+/// Root of the mean horizontal variance as declared, of a pair over both [m]; NaN where none is, as for an
+/// epoch.
+double declared_sigma(const GnssMessage& message);
+
+/// Number of pseudoranges of an epoch, 0 for fixes.
+std::size_t satellites_of(const Measurement& measurement);
+std::size_t satellites_of(const GnssMessage& message);
+
+/// What of the message can be judged without datum and antenna: `accepted`, or the reason why not.
+Reason check(const GnssMessage& message, const GnssParameters& parameters);
+
+/// Where a message that passed `check` puts the antenna, of a pair the left one; nothing for an epoch that
+/// does not tell.
+std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameters& parameters);
+
+/// Reads a message by the tables of `to_fix`, `to_dual` and `to_epoch`. An antenna whose frame is unknown is
+/// taken to be at the base, unless its transform is required or it is one of two.
+CheckedMeasurement to_measurement(const GnssMessage& message, const LocalFrame& map,
+                                  const GnssParameters& parameters, const AntennaFinder& antenna_in_base);
+
+}  // namespace multipath_localization

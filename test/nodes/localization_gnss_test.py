@@ -1,0 +1,124 @@
+#!/usr/bin/python3
+"""Pairs of fixes and raw epochs reach the estimators that use them; others say so, and bad ones are told why."""
+import math
+import unittest
+
+import rospy
+import rostest
+import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from rosgraph_msgs.msg import Log
+from std_srvs.srv import Empty
+from synthetic_drive import Robot, Session, antenna_transform, yaw_of
+
+
+def spoilt(message, spoil):
+    spoil(message)
+    return message
+
+
+class LocalizationGnss(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.static_tf = tf2_ros.StaticTransformBroadcaster()
+        cls.static_tf.sendTransform([antenna_transform('gps_left', 0.0, 0.5),
+                                     antenna_transform('gps_right', 0.0, -0.5)])
+
+    def setUp(self):
+        self.diagnostics, self.log = {}, []
+        self.listeners = [rospy.Subscriber('/diagnostics', DiagnosticArray, self.on_diagnostics),
+                          rospy.Subscriber('/rosout_agg', Log, self.log.append)]
+
+    def tearDown(self):
+        for space in ('', 'dual/', 'raw/'):
+            rospy.ServiceProxy(space + 'localization/reset', Empty)()
+
+    def on_diagnostics(self, message):
+        for entry in message.status:
+            self.diagnostics[entry.name] = entry
+
+    def test_what_an_estimator_has_no_use_for(self):
+        session, robot = Session(), Robot(seed=1)
+        session.begin(robot)
+        for _ in range(10):
+            session.drive(robot, 0.2)
+            report = session.send_epoch(robot.epoch())
+            self.assertEqual((report.kind, report.reason, report.satellites), ('epoch', 'unused', 8))
+            report = session.send_pair(robot.pair())
+            self.assertEqual((report.kind, report.reason, report.header.frame_id), ('dual', 'unused', 'gps_left'))
+        pose = session.drive(robot, 10.0)[-1]
+        self.assertLess(robot.error_of(pose.pose.pose), 1.0, 'metres')
+        name = 'localization: epoch'
+        session.wait(lambda: name in self.diagnostics, 'diagnostics')
+        self.assertEqual(self.diagnostics[name].level, DiagnosticStatus.OK)
+        self.assertIn('no use', self.diagnostics[name].message)
+        complaints = [entry.msg for entry in self.log
+                      if entry.name == '/localization' and entry.level >= Log.WARN and 'gps' not in entry.msg]
+        self.assertEqual(complaints, [])
+
+    def test_bad_epochs(self):
+        session, robot = Session(), Robot(seed=2)
+        session.begin(robot)
+        for spoil, reason in (
+                (lambda m: setattr(m.header, 'stamp', rospy.Time()), 'zero stamp'),
+                (lambda m: setattr(m, 'pseudoranges', m.pseudoranges * 40), 'too many satellites'),
+                (lambda m: setattr(m, 'pseudoranges', []), 'too few satellites'),
+                (lambda m: [setattr(p, 'pseudorange', math.nan) for p in m.pseudoranges], 'too few satellites'),
+                (lambda m: [setattr(p.position, 'x', 1e308) for p in m.pseudoranges], 'too few satellites'),
+                (lambda m: setattr(m.pseudoranges[0], 'pseudorange', math.inf), 'unused')):
+            self.assertEqual(session.send_epoch(spoilt(robot.epoch(), spoil)).reason, reason)
+
+    def test_raw_epochs_tell_the_pose_and_the_datum(self):
+        session, robot = Session('raw/'), Robot(seed=4)
+        session.send_odometry(robot.odometry(), answered=False)
+        self.assertEqual(session.send_fix(robot.fix()).reason, 'unused', 'and no datum')
+        for i in range(900):
+            robot.step()
+            session.send_odometry(robot.odometry(), answered=False)
+            if i % 4 == 0:
+                epoch = robot.epoch()
+                epoch.pseudoranges[i % 8].pseudorange = math.nan
+                report = session.send_epoch(epoch)
+                self.assertEqual((report.reason, report.usable_satellites), ('accepted', 7))
+        pose = session.drive(robot, 0.05, fix_every=0)[-1]
+        self.assertLess(robot.error_of(pose.pose.pose), 1.5, 'metres; the datum is the first solution')
+        self.assertEqual(session.states[-1].name, 'GOOD')
+
+    def test_pairs_tell_the_heading_at_rest(self):
+        session, robot = Session('dual/'), Robot(seed=3, yaw=2.5, speed=0.0, yaw_rate=0.0)
+        while True:  # the static transforms may be under way
+            session.send_odometry(robot.odometry(), answered=False)
+            if session.send_pair(robot.pair()).reason != 'invalid frame':
+                break
+            robot.step()
+        pose = session.drive(robot, 3.0, send=lambda r: session.send_pair(r.pair()))[-1]
+        self.assertLess(robot.error_of(pose.pose.pose), 0.05, 'metres')
+        turn = yaw_of(pose.pose.pose.orientation) - robot.yaw
+        self.assertLess(abs(math.remainder(turn, 2.0 * math.pi)), 0.05)
+        self.assertEqual({report.kind for report in session.reports}, {'dual'})
+        self.check_defective_pairs(session, robot)
+
+    def check_defective_pairs(self, session, robot):
+        left, right = robot.pair()
+        right.header.stamp += rospy.Duration(0.2)
+        session.left.publish(left)
+        session.right.publish(right)
+        session.drive(robot, 1.5, fix_every=0)
+        number = len(session.reports)
+        session.send_pair(robot.pair())  # a second later, which gives up what waits
+        session.wait(lambda: len(session.reports) == number + 3, 'the reports on all three')
+        unpaired = [(r.kind, r.header.frame_id) for r in session.reports if r.reason == 'unpaired']
+        self.assertEqual(sorted(unpaired), [('dual', 'gps_left'), ('dual', 'gps_right')])
+        self.assertEqual(session.reports[-1].reason, 'accepted')
+        for spoil, reason in ((lambda pair: setattr(pair[1].status, 'status', -1), 'no fix'),
+                              (lambda pair: setattr(pair[0], 'latitude', math.nan), 'not finite'),
+                              (lambda pair: setattr(pair[1].header, 'frame_id', 'nowhere'), 'invalid frame'),
+                              (lambda pair: setattr(pair[1].header, 'frame_id', 'gps_left'), 'invalid frame')):
+            robot.step()
+            session.send_odometry(robot.odometry())
+            self.assertEqual(session.send_pair(spoilt(robot.pair(), spoil)).reason, reason)
+
+
+if __name__ == '__main__':
+    rospy.init_node('localization_gnss_test')
+    rostest.rosrun('multipath_localization', 'localization_gnss', LocalizationGnss)

@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include "nodes/datum.hpp"
+
+namespace multipath_localization {
+namespace {
+
+TEST(Datum, IsTheOneConfigured) {
+  Datum datum({52.5, 13.4}, 0.0);
+  datum.add(1.0, {48.0, 11.0, 500.0});
+  ASSERT_NE(datum.map(), nullptr);
+  EXPECT_EQ(datum.map()->datum().latitude_deg, 52.5);
+  EXPECT_EQ(datum.map()->datum().altitude, 0.0);
+}
+
+TEST(Datum, IsTheFirstPlaceAndStays) {
+  Datum datum({}, 0.0);
+  EXPECT_EQ(datum.map(), nullptr);
+  datum.add(1.0, {48.0, 11.0, 500.0});
+  datum.add(2.0, {49.0, 12.0, 600.0});
+  ASSERT_NE(datum.map(), nullptr);
+  EXPECT_EQ(datum.map()->datum().longitude_deg, 11.0);
+}
+
+TEST(Datum, IsTheMedianOfTheFirstPlaces) {
+  Datum datum({}, 1.0);
+  datum.add(10.0, {48.0, 11.0, 500.0});
+  datum.add(10.5, {80.0, 11.2, std::numeric_limits<double>::quiet_NaN()});
+  EXPECT_EQ(datum.map(), nullptr);
+  datum.add(11.0, {48.1, 11.1, 502.0});
+  ASSERT_NE(datum.map(), nullptr);
+  EXPECT_EQ(datum.map()->datum().latitude_deg, 48.1);
+  EXPECT_EQ(datum.map()->datum().longitude_deg, 11.1);
+  EXPECT_EQ(datum.map()->datum().altitude, 502.0);
+}
+
+}  // namespace
+}  // namespace multipath_localization
