@@ -18,15 +18,16 @@ Pose2 displacement(const OdometryIncrement& increment) {
 
 namespace {
 
-void carry(GnssFix& fix, const Pose2& then) { fix.antenna_in_base = then * fix.antenna_in_base; }
-
-void carry(DualAntennaFix& fixes, const Pose2& then) {
-  carry(fixes.left, then);
-  carry(fixes.right, then);
+/// Of a fix or an epoch; false where it cannot.
+template <class Single>
+bool carry(Single& measurement, const BaseThen& base_then) {
+  const std::optional<Pose2> then = base_then(measurement.stamp);
+  if (then) measurement.antenna_in_base = *then * measurement.antenna_in_base;
+  return then.has_value();
 }
 
-void carry(PseudorangeEpoch& epoch, const Pose2& then) {
-  epoch.antenna_in_base = then * epoch.antenna_in_base;
+bool carry(DualAntennaFix& fixes, const BaseThen& base_then) {
+  return carry(fixes.left, base_then) && carry(fixes.right, base_then);
 }
 
 }  // namespace
@@ -35,8 +36,9 @@ double stamp_of(const Measurement& measurement) {
   return std::visit([](const auto& m) { return m.stamp; }, measurement);
 }
 
-Measurement carried_back(Measurement measurement, const Pose2& base_then_in_base_now) {
-  std::visit([&](auto& m) { carry(m, base_then_in_base_now); }, measurement);
+std::optional<Measurement> carried_back(Measurement measurement, const BaseThen& base_then) {
+  const bool known = std::visit([&](auto& m) { return carry(m, base_then); }, measurement);
+  if (!known) return std::nullopt;
   return measurement;
 }
 

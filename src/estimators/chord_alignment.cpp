@@ -38,11 +38,10 @@ ChordAlignment::ChordAlignment(const ChordAlignmentParameters& parameters, const
 void ChordAlignment::start(const std::optional<PosePrior>& prior) {
   state_ = State{odometry_state::Vector::Zero(), odometry_state::unknown_covariance(noise_)};
   base_in_odom_ = Pose2{};
+  moving_time_ = 0.0;
   anchor_.reset();
-  now_ = 0.0;
   started_ = aligned_ = false;
   if (!prior || !usable(*prior)) return;
-  now_ = prior->stamp;
   state_.mean.head<3>() << prior->pose.x, prior->pose.y, wrap_angle(prior->pose.yaw);
   state_.covariance.topLeftCorner<3, 3>() = prior->covariance;
   started_ = true;
@@ -50,8 +49,8 @@ void ChordAlignment::start(const std::optional<PosePrior>& prior) {
 }
 
 void ChordAlignment::predict(const OdometryIncrement& u) {
-  now_ = u.stamp;
   if (!started_ || standing(u)) return;
+  moving_time_ += u.duration;
   base_in_odom_ = base_in_odom_ * displacement(u);
   auto position = state_.covariance.topLeftCorner<2, 2>();
   const double sigma = std::sqrt(0.5 * position.trace()) + std::abs(u.speed) * u.duration;
@@ -82,7 +81,7 @@ void ChordAlignment::follow(const GnssFix& fix, const Eigen::Matrix2d& R) {
 }
 
 void ChordAlignment::try_to_align(const GnssFix& fix, const Eigen::Matrix2d& R) {
-  const Anchor here{base_in_odom_ * fix.antenna_in_base, fix.position, R, now_};
+  const Anchor here{base_in_odom_ * fix.antenna_in_base, fix.position, R, moving_time_};
   if (!anchor_) anchor_ = here;
   const Eigen::Vector2d driven = here.antenna_in_odom - anchor_->antenna_in_odom;
   const Eigen::Vector2d seen = here.antenna_in_map - anchor_->antenna_in_map;
@@ -117,7 +116,7 @@ void ChordAlignment::align(const GnssFix& fix, const Eigen::Matrix2d& R, double 
   state_.covariance.topLeftCorner<3, 3>() = J * ends * J.transpose();
 
   // A gyro bias has turned the odometry by T g at the chord's end, but the chord itself by half of that.
-  const double lag = 0.5 * (now_ - anchor_->stamp);
+  const double lag = 0.5 * (moving_time_ - anchor_->moving_time);
   odometry_state::Matrix F = odometry_state::Matrix::Identity();
   F(kYaw, kGyroBias) = -lag;
   state_.covariance = F * state_.covariance * F.transpose();

@@ -69,8 +69,8 @@ void DualAntennaEkf::start(const std::optional<PosePrior>& prior) {
   for (FixCheck* check : {&left_check_, &right_check_, &single_check_}) check->forget();
   phase_ = Phase::kWaiting;
   belief_ = Gaussian<kStates>{};
-  rejecting_pairs_since_.reset();
-  rejecting_fixes_since_.reset();
+  rejected_pairs_.end();
+  rejected_fixes_.end();
   now_ = 0.0;
   if (!prior || !usable(*prior)) return;
   now_ = prior->stamp;
@@ -112,7 +112,10 @@ std::optional<Reason> DualAntennaEkf::defect(const DualAntennaFix& fixes) {
   if (!std::isfinite(fixes.stamp)) return Reason::kNotFinite;
   const std::optional<Reason> left = left_check_.defect(fixes.left);
   const std::optional<Reason> right = right_check_.defect(fixes.right);
-  return left ? left : right;
+  // A receiver at rest may well repeat itself, two at once do not.
+  if (left && left != Reason::kFrozen) return left;
+  if (right && right != Reason::kFrozen) return right;
+  return left && right ? left : std::nullopt;
 }
 
 Innovation DualAntennaEkf::take(const DualAntennaFix& fixes) {
@@ -161,8 +164,7 @@ void DualAntennaEkf::align(const DualAntennaPose& told) {
 Innovation DualAntennaEkf::track(const DualAntennaPose& told) {
   Eigen::Vector3d y = told.pose - mean_error_ - belief_.mean;  // Eq. (6), H = I
   if (parameters_.wrap_innovation) y(kYaw) = wrap_angle(y(kYaw));
-  return correct<3>(y, Eigen::Matrix3d::Identity(), told.covariance, parameters_.gate,
-                    rejecting_pairs_since_);
+  return correct<3>(y, Eigen::Matrix3d::Identity(), told.covariance, parameters_.gate, rejected_pairs_);
 }
 
 Innovation DualAntennaEkf::track(const GnssFix& fix) {
@@ -170,27 +172,26 @@ Innovation DualAntennaEkf::track(const GnssFix& fix) {
   const Pose2 antennas{told(kX), told(kY), told(kYaw)};
   const Eigen::Vector2d y = fix.position - antennas * fix.antenna_in_base;
   return correct<2>(y, antenna_jacobian(antennas, fix.antenna_in_base), fix.covariance, parameters_.fix_gate,
-                    rejecting_fixes_since_);
+                    rejected_fixes_);
 }
 
 template <int M>
 Innovation DualAntennaEkf::correct(const Eigen::Matrix<double, M, 1>& y,
                                    const Eigen::Matrix<double, M, kStates>& H,
                                    const Eigen::Matrix<double, M, M>& R, double gate,
-                                   std::optional<double>& rejecting_since) {
+                                   RejectionStreak& rejections) {
   const auto compared = kalman::compare<kStates, M>(belief_, y, H, R);
   Innovation result{Reason::kGated, y.template head<2>(), compared.covariance.template topLeftCorner<2, 2>(),
                     compared.nis};
   if (compared.nis > gate) {
-    if (!rejecting_since) rejecting_since = now_;
-    if (now_ - *rejecting_since < parameters_.reopen_after) return result;
+    if (rejections.add(now_) < parameters_.reopen_after) return result;
     // With y^2 more in the state the innovation is within one sigma: no distance keeps the gate shut.
     const double turn = M == kStates ? y(M - 1) : 0.0;
     belief_.covariance.topLeftCorner<2, 2>() +=
         y.template head<2>().squaredNorm() * Eigen::Matrix2d::Identity();
     belief_.covariance(kYaw, kYaw) += square(turn) + square(parameters_.reopen_yaw_sigma);
   }
-  rejecting_since.reset();
+  rejections.end();
   kalman::correct<kStates, M>(belief_, y, H, R);  // Eqs. (7)-(10), where (10) prints H' for H
   if (parameters_.wrap_innovation) belief_.mean(kYaw) = wrap_angle(belief_.mean(kYaw));
   result.reason = Reason::kAccepted;

@@ -29,7 +29,7 @@ GatedEkf::GatedEkf(const GatedEkfParameters& parameters, std::uint64_t)
 
 void GatedEkf::start(const std::optional<PosePrior>& prior) {
   fix_check_.forget();
-  rejecting_since_.reset();
+  rejections_.end();
   tracked_.reset();
   alignment_.start(prior);
   now_ = alignment_.started() ? prior->stamp : 0.0;
@@ -63,21 +63,16 @@ Innovation GatedEkf::track(const GnssFix& fix, const Eigen::Matrix2d& R) {
   const auto compared = kalman::compare<kSize, 2>(belief, y, H, R);
   Innovation result{Reason::kGated, compared.innovation, compared.covariance, compared.nis};
   if (compared.nis > parameters_.gate) {
-    if (!reopens()) return result;
+    if (rejections_.add(now_) < parameters_.reopen_after) return result;
     // With |y|^2 more in position the innovation is within one sigma: no distance keeps the gate shut.
     belief.covariance.topLeftCorner<2, 2>() += y.squaredNorm() * Eigen::Matrix2d::Identity();
     belief.covariance(kYaw, kYaw) += square(parameters_.reopen_yaw_sigma);
   }
-  rejecting_since_.reset();
+  rejections_.end();
   kalman::correct<kSize, 2>(belief, y, H, R);
   belief.mean(kYaw) = wrap_angle(belief.mean(kYaw));
   result.reason = Reason::kAccepted;
   return result;
-}
-
-bool GatedEkf::reopens() {
-  if (!rejecting_since_) rejecting_since_ = now_;
-  return now_ - *rejecting_since_ >= parameters_.reopen_after;
 }
 
 const ChordAlignment::State& GatedEkf::belief() const { return tracked_ ? *tracked_ : alignment_.state(); }

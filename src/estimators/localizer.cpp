@@ -7,6 +7,8 @@ namespace multipath_localization {
 
 namespace {
 
+constexpr std::size_t kMostWaiting = 1000;  ///< measurements ahead of odometry that has stopped
+
 OdometryIncrement lasting(OdometryIncrement increment, double start, double end) {
   increment.stamp = end;
   increment.duration = end - start;
@@ -60,7 +62,7 @@ void Localizer::add(const Measurement& measurement) {
   const double stamp = stamp_of(measurement);
   if (!has_odometry_) {
     reports_.push_back({stamp, measurement, refused(Reason::kNotStarted)});
-  } else if (stamp > now_ + parameters_.future_tolerance) {
+  } else if (stamp > now_ + parameters_.future_tolerance || waiting_.size() >= kMostWaiting) {
     reports_.push_back({stamp, measurement, refused(Reason::kFutureStamp)});
   } else if (stamp > now_) {
     const auto place = std::upper_bound(waiting_.begin(), waiting_.end(), stamp,
@@ -73,13 +75,14 @@ void Localizer::add(const Measurement& measurement) {
 
 void Localizer::apply(const Measurement& measurement) {
   const double stamp = stamp_of(measurement);
-  const std::optional<Pose2> base_then =
-      stamp == now_ ? std::optional<Pose2>(Pose2{}) : history_.base_then_in_base_now(stamp);
-  if (!base_then) {
+  const std::optional<Measurement> carried = carried_back(measurement, [this](double then) {
+    return then == now_ ? std::optional<Pose2>(Pose2{}) : history_.base_then_in_base_now(then);
+  });
+  if (!carried) {
     reports_.push_back({stamp, measurement, refused(Reason::kOldStamp)});
     return;
   }
-  const Innovation innovation = estimator_->update(carried_back(measurement, *base_then));
+  const Innovation innovation = estimator_->update(*carried);
   if (innovation.accepted()) last_accepted_ = std::max(last_accepted_, stamp);
   reports_.push_back({stamp, measurement, innovation});
 }

@@ -9,7 +9,8 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kRestartYawSigma = 0.3;  ///< [rad]
+constexpr double kRestartYawSigma = 0.3;      ///< [rad]
+constexpr double kMostRestartedAtOnce = 0.1;  ///< of the particles: an outage does not make the fix better
 
 double square(double x) { return x * x; }
 
@@ -122,11 +123,12 @@ void PseudorangeParticleFilter::draw_near(std::size_t i, const Sky& sky, const P
 /// weights. Departs: [SUZ] has no way back.
 void PseudorangeParticleFilter::restart_some(const Sky& sky) {
   if (parameters_.reset == "never" || !sky.fix) return;
-  const double probability = std::min(1.0, parameters_.restart_rate * time_since_epoch_);
+  const double probability = std::min(kMostRestartedAtOnce, parameters_.restart_rate * time_since_epoch_);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     RandomStream draw = random(i);
     if (draw.uniform() >= probability) continue;
     particles_.yaw[i] = wrap_angle(particles_.yaw[i] + kRestartYawSigma * draw.normal());
+    rest_[i].course_variance += square(kRestartYawSigma);
     draw_near(i, sky, *sky.fix, draw);
     particles_.log_weight[i] = -std::log(static_cast<double>(particles_.size()));
   }

@@ -24,7 +24,8 @@ void TwoStageEkfParameters::fields(ParameterVisitor& field) {
   field("compensate", compensate,
         "estimate the bias of faulty fixes; false: the standard complementary filter, every fix as it is");
   field("bias_estimated", bias_estimated, {"in_fault", "always"},
-        "in_fault: from the detection of a fault until its end; always: from the start on, as printed");
+        "in_fault: from the detection of a fault until its end; always: from the start on, Friedland's "
+        "estimator");
   field("fault_threshold", fault_threshold, {0.1, 1e6}, "1",
         "normalised innovation squared beyond which fixes are faulty; 7.81 as printed, the 95 % quantile of "
         "3 dof; that of the 2 dof of a fix is 5.99");
@@ -55,6 +56,7 @@ void TwoStageEkf::start(const std::optional<PosePrior>& prior) {
   fix_check_.forget();
   tracked_.reset();
   faulty_ = false;
+  standing_ = true;
   rival_.reset();
   last_fix_.reset();
   implausible_since_.reset();

@@ -48,6 +48,12 @@ CsvTable::CsvTable(const std::string& file, const std::vector<std::string>& requ
   }
 }
 
+const std::string& CsvTable::text(std::size_t row, const std::string& column) const {
+  const auto found = columns_.find(column);
+  if (found == columns_.end()) throw error(row, "there is no column " + column);
+  return cells_[row][found->second];
+}
+
 double CsvTable::number(std::size_t row, const std::string& column) const {
   const std::string& cell = text(row, column);
   char* end = nullptr;

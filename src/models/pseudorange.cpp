@@ -1,6 +1,7 @@
 #include "multipath_localization/models/pseudorange.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,7 @@ namespace multipath_localization {
 namespace {
 
 constexpr int kUnknowns = 3 + kConstellations;
+constexpr double kLeastSigma = 0.5;  // [m]
 constexpr int kIterations = 15;
 constexpr double kConverged = 1e-4;  // [m]
 constexpr int kRefinements = 3;
@@ -20,6 +22,22 @@ using Matrix = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 int clock_index(const SatelliteObservation& observation) {
   return 3 + static_cast<int>(observation.constellation);
 }
+
+/// Who takes part: observations of positive weight, and a clock for each of their constellations.
+struct Census {
+  int used = 0;
+  int unknowns = 3;
+  std::array<bool, kConstellations> seen{};
+
+  Census(const std::vector<SatelliteObservation>& observations, const std::vector<double>& weights) {
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+      if (!(weights[i] > 0.0)) continue;
+      ++used;
+      seen[static_cast<std::size_t>(observations[i].constellation)] = true;
+    }
+    unknowns += static_cast<int>(std::count(seen.begin(), seen.end(), true));
+  }
+};
 
 /// The normal equations of one Gauss-Newton step.
 struct NormalEquations {
@@ -59,6 +77,18 @@ Vector with_clocks(Vector state, const std::vector<SatelliteObservation>& observ
   return state;
 }
 
+/// The factors of a normal matrix, in which the clocks of constellations not seen stay as they are; nothing
+/// where the geometry leaves something undetermined.
+std::optional<Eigen::LDLT<Matrix>> factorised(Matrix matrix, const Census& census) {
+  for (std::size_t k = 0; k < census.seen.size(); ++k) {
+    const int index = 3 + static_cast<int>(k);
+    if (!census.seen[k]) matrix(index, index) = matrix.trace();
+  }
+  Eigen::LDLT<Matrix> factor(matrix);
+  if (!(factor.vectorD().minCoeff() > kWorstGeometry * matrix.trace())) return std::nullopt;
+  return factor;
+}
+
 PseudorangeSolution solution_of(const Vector& state, const Matrix& covariance,
                                 const std::array<bool, kConstellations>& seen) {
   PseudorangeSolution solution;
@@ -78,10 +108,16 @@ LineOfSight line_of_sight(const SatelliteObservation& observation, const Eigen::
   return {range, path / range};
 }
 
+double believed_sigma(const SatelliteObservation& observation) {
+  return std::max(kLeastSigma, observation.sigma);
+}
+
 std::vector<double> declared_weights(const std::vector<SatelliteObservation>& observations) {
   std::vector<double> weights;
+  weights.reserve(observations.size());
   for (const SatelliteObservation& observation : observations) {
-    weights.push_back(1.0 / (observation.sigma * observation.sigma));
+    const double sigma = believed_sigma(observation);
+    weights.push_back(1.0 / (sigma * sigma));
   }
   return weights;
 }
@@ -89,37 +125,23 @@ std::vector<double> declared_weights(const std::vector<SatelliteObservation>& ob
 std::optional<PseudorangeSolution> solve_position(const std::vector<SatelliteObservation>& observations,
                                                   const std::vector<double>& weights,
                                                   const Eigen::Vector3d& start) {
-  int used = 0;
-  int unknowns = 3;
-  std::array<bool, kConstellations> seen{};
-  for (std::size_t i = 0; i < observations.size(); ++i) {
-    if (!(weights[i] > 0.0)) continue;
-    ++used;
-    bool& its_constellation = seen[static_cast<std::size_t>(observations[i].constellation)];
-    unknowns += its_constellation ? 0 : 1;
-    its_constellation = true;
-  }
-  if (used < unknowns) return std::nullopt;
-
+  const Census census(observations, weights);
+  if (census.used < census.unknowns) return std::nullopt;
   Vector state = Vector::Zero();
   state.head<3>() = start;
   state = with_clocks(state, observations, weights);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    NormalEquations equations = normal_equations(observations, weights, state);
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-      const int index = 3 + static_cast<int>(k);
-      if (!seen[k]) equations.matrix(index, index) = equations.matrix.trace();
-    }
-    const Eigen::LDLT<Matrix> factor(equations.matrix);
-    if (!(factor.vectorD().minCoeff() > kWorstGeometry * equations.matrix.trace())) return std::nullopt;
-    const Vector step = factor.solve(equations.right_hand_side);
+    const NormalEquations equations = normal_equations(observations, weights, state);
+    const auto factor = factorised(equations.matrix, census);
+    if (!factor) return std::nullopt;
+    const Vector step = factor->solve(equations.right_hand_side);
     state += step;
     if (!state.allFinite()) return std::nullopt;
     if (step.head<3>().norm() > kConverged) continue;
-    PseudorangeSolution solution = solution_of(state, factor.solve(Matrix::Identity()), seen);
+    PseudorangeSolution solution = solution_of(state, factor->solve(Matrix::Identity()), census.seen);
     solution.weighted_square_sum = normal_equations(observations, weights, state).weighted_square_sum;
-    solution.used = used;
-    solution.degrees_of_freedom = used - unknowns;
+    solution.used = census.used;
+    solution.degrees_of_freedom = census.used - census.unknowns;
     return solution;
   }
   return std::nullopt;

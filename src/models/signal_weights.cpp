@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/models/pseudorange.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -24,7 +26,8 @@ std::vector<double> signal_weights(const std::vector<SatelliteObservation>& obse
   std::vector<double> weights;
   weights.reserve(observations.size());
   for (const SatelliteObservation& observation : observations) {
-    weights.push_back(1.0 / (observation.sigma * observation.sigma * variance_factor(observation)));
+    const double sigma = believed_sigma(observation);
+    weights.push_back(1.0 / (sigma * sigma * variance_factor(observation)));
   }
   return weights;
 }

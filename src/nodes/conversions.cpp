@@ -123,7 +123,7 @@ CheckedDual to_dual(const FixPair& message, const LocalFrame& map, const FixPara
   const CheckedFix right = to_fix(message.right, map, parameters, right_antenna_in_base);
   CheckedDual checked;
   checked.reason = left.reason == Reason::kAccepted ? right.reason : left.reason;
-  checked.fix = {left.fix.stamp, left.fix, right.fix};
+  checked.fix = {std::max(left.fix.stamp, right.fix.stamp), left.fix, right.fix};
   const double baseline = (left_antenna_in_base - right_antenna_in_base).norm();
   if (checked.reason == Reason::kAccepted && baseline < kShortestBaseline) {
     checked.reason = Reason::kInvalidFrame;

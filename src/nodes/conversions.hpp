@@ -80,7 +80,7 @@ struct FixPair {
 /// A fix of each of two antennas, or the reason why they are refused.
 struct CheckedDual {
   Reason reason = Reason::kAccepted;
-  DualAntennaFix fix;  ///< counts only when accepted; its stamp is the left one's
+  DualAntennaFix fix;  ///< counts only when accepted; its stamp is the later one's
 };
 
 /// Reads both as `to_fix` does; the first reason counts, left before right. Antennas less than 1 cm apart are

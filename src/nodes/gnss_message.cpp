@@ -47,7 +47,10 @@ class Reading {
   const AntennaFinder& antenna_in_base_;
 };
 
-const std_msgs::Header& header(const FixPair& pair) { return pair.left.header; }
+const std_msgs::Header& header(const FixPair& pair) {
+  return (pair.left.header.stamp < pair.right.header.stamp ? pair.right : pair.left).header;
+}
+
 template <class Message>
 const std_msgs::Header& header(const Message& message) {
   return message.header;

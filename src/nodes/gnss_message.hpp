@@ -41,7 +41,7 @@ struct CheckedMeasurement {
 /// Finds the antenna of a frame on the base [m], nothing when tf does not know the frame.
 using AntennaFinder = std::function<std::optional<Eigen::Vector2d>(const std::string& frame)>;
 
-/// Of a pair the left one's.
+/// Of a pair the later one's.
 const std_msgs::Header& header_of(const GnssMessage& message);
 
 /// Root of the mean horizontal variance as declared, of a pair over both [m]; NaN where none is, as for an

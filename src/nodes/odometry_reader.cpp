@@ -82,7 +82,8 @@ CheckedOdometry OdometryReader::read(const nav_msgs::Odometry& message) {
 Reason OdometryReader::check_content(const nav_msgs::Odometry& message) const {
   if (message.header.stamp.isZero()) return Reason::kZeroStamp;
   if (message.header.stamp.toSec() > kLatestStamp) return Reason::kFutureStamp;
-  if (without_slash(message.header.frame_id) == map_frame_) return Reason::kInvalidFrame;
+  const std::string frame = without_slash(message.header.frame_id);
+  if (!map_frame_.empty() && frame == map_frame_) return Reason::kInvalidFrame;
   if (!finite(message)) return Reason::kNotFinite;
   if (!to_pose2(message.pose.pose)) return Reason::kInvalidPosition;
   return Reason::kAccepted;

@@ -74,18 +74,31 @@ TEST(Measurement, CarriedBackHasItsAntennasWhereTheyWere) {
   const Pose2 then{-2.0, 0.5, -kPi / 2.0};
   const Eigen::Vector2d ahead(0.3, 0.0);
   const Eigen::Vector2d carried(-2.0, 0.2);
+  const BaseThen base_then = [&](double) { return then; };
   GnssFix fix;
   fix.antenna_in_base = ahead;
-  EXPECT_LT((std::get<GnssFix>(carried_back(fix, then)).antenna_in_base - carried).norm(), 1e-12);
+  const auto carried_fix = std::get<GnssFix>(carried_back(fix, base_then).value());
+  EXPECT_LT((carried_fix.antenna_in_base - carried).norm(), 1e-12);
   PseudorangeEpoch epoch;
   epoch.antenna_in_base = ahead;
-  EXPECT_LT((std::get<PseudorangeEpoch>(carried_back(epoch, then)).antenna_in_base - carried).norm(), 1e-12);
+  const auto carried_epoch = std::get<PseudorangeEpoch>(carried_back(epoch, base_then).value());
+  EXPECT_LT((carried_epoch.antenna_in_base - carried).norm(), 1e-12);
+}
+
+TEST(Measurement, CarriedBackEachAntennaOfAPairByItsOwnStamp) {
   DualAntennaFix fixes;
+  fixes.left.stamp = 3.0;
   fixes.left.antenna_in_base = {0.0, 0.15};
-  fixes.right = fix;
-  const auto back = std::get<DualAntennaFix>(carried_back(fixes, then));
-  EXPECT_LT((back.left.antenna_in_base - Eigen::Vector2d(-1.85, 0.5)).norm(), 1e-12);
-  EXPECT_LT((back.right.antenna_in_base - carried).norm(), 1e-12);
+  fixes.stamp = fixes.right.stamp = 3.04;
+  fixes.right.antenna_in_base = {0.0, -0.15};
+  const BaseThen driving = [](double stamp) { return Pose2{stamp - 3.1, 0.0, 0.0}; };  // 1 m/s, now 3.1 s
+  const auto back = std::get<DualAntennaFix>(carried_back(fixes, driving).value());
+  EXPECT_LT((back.left.antenna_in_base - Eigen::Vector2d(-0.10, 0.15)).norm(), 1e-12);
+  EXPECT_LT((back.right.antenna_in_base - Eigen::Vector2d(-0.06, -0.15)).norm(), 1e-12);
+  const BaseThen forgetful = [](double stamp) {
+    return stamp < 3.02 ? std::nullopt : std::optional<Pose2>(Pose2{});
+  };
+  EXPECT_FALSE(carried_back(fixes, forgetful));
 }
 
 TEST(SatelliteObservation, HasDopplerOnlyWithRangeRateAndVelocity) {

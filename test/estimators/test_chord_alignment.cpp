@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <vector>
 
 #include "matched_robot.hpp"
 #include "multipath_localization/estimators/chord_alignment.hpp"
@@ -92,6 +93,22 @@ TEST(ChordAlignment, StandsStillWithTheWheels) {
   alignment.start(prior);
   for (int i = 1; i < 1000; ++i) alignment.predict({0.02 * i, 0.02, 0.0, 0.01});
   EXPECT_EQ(alignment.state().covariance(0, 0), 0.25);
+}
+
+TEST(ChordAlignment, TimeParkedMakesTheHeadingNoWorse) {
+  const OdometryNoise noise;
+  std::vector<odometry_state::Matrix> covariances;
+  for (const double parked : {0.0, 200.0 * kPi}) {  // whole turns of the winding road
+    MatchedRobot robot(noise, 4);
+    ChordAlignment alignment({}, noise);
+    align(alignment, robot, 0.2);  // until the first fix
+    alignment.predict({robot.time + parked, parked + 0.02, 0.0, 0.0});
+    robot.time += parked;
+    align(alignment, robot, parked + 20.0);
+    ASSERT_TRUE(alignment.aligned());
+    covariances.push_back(alignment.state().covariance);
+  }
+  EXPECT_NEAR(covariances[1](2, 2), covariances[0](2, 2), 0.1 * covariances[0](2, 2));
 }
 
 }  // namespace

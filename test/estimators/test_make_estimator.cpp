@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -39,6 +40,16 @@ TEST_P(EveryEstimator, RefusesUnknownKeysByName) {
 
 INSTANTIATE_TEST_SUITE_P(ByName, EveryEstimator, ::testing::ValuesIn(estimator_names()),
                          [](const auto& instance) { return instance.param; });
+
+TEST(MakeEstimator, MakesThePrintedVariants) {
+  int count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(std::string(CONFIG_DIR) + "/printed")) {
+    const std::string name = file.path().stem().string();
+    EXPECT_EQ(message_of(name, YAML::LoadFile(file.path().string())), "") << name;
+    ++count;
+  }
+  EXPECT_EQ(count, 4);
+}
 
 TEST(MakeEstimator, RefusesUnknownNamesAndTellsTheKnown) {
   const std::string message = message_of("kalmann", YAML::Node());

@@ -14,11 +14,9 @@ namespace multipath_localization {
 namespace {
 
 /// The overrides that make the filter the printed one.
-const char* const kAsPrinted =
-    "{clock: reference, lower_threshold: -20, upper_threshold: 10, weighting: declared, constellations: "
-    "separate, "
-    "likelihood: distance, outlier_sigma: 0, tempering: none, start: plain, start_sigma: 0, reset: never, "
-    "ess_fraction: 1, point_estimate: mean, doppler_tolerance: 0, velocity_follows_odometry: false}";
+std::string as_printed() {
+  return YAML::Dump(YAML::LoadFile(std::string(CONFIG_DIR) + "/printed/pseudorange_particle_filter.yaml"));
+}
 
 Localizer localizer_with(const std::string& parameters = "{}", std::uint64_t seed = 1,
                          const std::optional<PosePrior>& prior = std::nullopt) {
@@ -95,8 +93,8 @@ TEST(PseudorangeParticleFilter, AReflectedReferenceMisleadsOnlyThePrintedFilter)
   PseudorangeDrive second(5);
   first.doppler = second.doppler = sound.doppler = true;
   first.disturb = second.disturb = reflected_reference;
-  Localizer undisturbed = localizer_with(kAsPrinted);
-  Localizer printed = localizer_with(kAsPrinted);
+  Localizer undisturbed = localizer_with(as_printed());
+  Localizer printed = localizer_with(as_printed());
   Localizer repaired = localizer_with();
   sound.run(undisturbed, 20.0);
   first.run(printed, 20.0);
@@ -195,6 +193,14 @@ TEST(PseudorangeParticleFilter, GoesOnByOdometryInAnOutage) {
   drive.run(localizer, 20.0);
   EXPECT_LT(drive.error(localizer), 5.0);
   EXPECT_EQ(localizer.state(), Trust::kDeadReckoning);
+
+  // The first epoch after it brings no leap to a position of its own.
+  const double before = drive.error(localizer);
+  drive.disturb = [](auto& sky) {
+    for (std::size_t i = 0; i < sky.size(); i += 3) sky[i].pseudorange += 60.0;
+  };
+  drive.run(localizer, 0.2);
+  EXPECT_LT(drive.error(localizer), before + 1.0);
 }
 
 TEST(PseudorangeParticleFilter, StatedCovarianceHoldsForErrorsThatLast) {
@@ -283,6 +289,7 @@ TEST(PseudorangeParticleFilter, BrokenSatellitesHarmNothing) {
     sky[5].range_rate = std::numeric_limits<double>::infinity();
     sky[6].cn0 = SatelliteObservation::kUnknown;
     sky[7].range_rate = 1e200;
+    sky[8].sigma = 1e-3;
     sky.push_back(sky[2]);
   };
   Localizer localizer = localizer_with();

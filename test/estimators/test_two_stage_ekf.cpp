@@ -18,8 +18,8 @@ constexpr double kExactly = 1e-300;
 
 const Eigen::Vector2d kBias(4.0, -3.0);
 
-/// As printed: a constant bias from the start on, everything linearised at the bias-free estimate.
-TwoStageEkfParameters as_printed() {
+/// A constant bias from the start on, everything linearised at the bias-free estimate.
+TwoStageEkfParameters friedland() {
   TwoStageEkfParameters parameters;
   parameters.bias_estimated = "always";
   parameters.bias_walk = 0.0;
@@ -109,7 +109,7 @@ TEST(TwoStageEkf, StandardModeIsTheExtendedKalmanFilter) {
 
 /// Section 3.2 of [KIM] by hand, from a known start.
 TEST(TwoStageEkf, LiteralModeIsFriedlandsEstimator) {
-  const TwoStageEkfParameters parameters = as_printed();
+  const TwoStageEkfParameters parameters = friedland();
   TwoStageEkf filter(parameters);
   MatchedRobot robot = robot_of(parameters, 4);
   robot.antenna.setZero();
@@ -349,7 +349,7 @@ TEST(TwoStageEkf, FindsItsHeadingUnaided) {
 
 /// A position that came from fixes with a constant bias cannot be told from it.
 TEST(TwoStageEkf, LiteralModeDoesNotTrustAStartFromTheFixes) {
-  const TwoStageEkfParameters parameters = as_printed();
+  const TwoStageEkfParameters parameters = friedland();
   MatchedRobot robot = robot_of(parameters, 13);
   TwoStageEkf filter(parameters);
   filter.start(std::nullopt);

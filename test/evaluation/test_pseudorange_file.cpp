@@ -95,6 +95,10 @@ TEST_F(ReadPseudoranges, RefusesWithFileLineAndReason) {
   EXPECT_EQ(failure(kHeader + std::string("0,1,GPS,1,1,1,1,1,1,0\n")), file + ":2: std_m is not above 0");
   EXPECT_EQ(failure(kHeader + std::string("0,1,GPS,1,1,1,nan,1,1,1\n")),
             file + ":2: sat_y is 'nan', not a finite number");
+  EXPECT_EQ(
+      failure("t,sat_id,system,elevation_deg,cn0_dbhz,sat_x,sat_y,sat_z,pseudorange_m,std_m,range_rate_mps\n"
+              "0,1,GPS,30,40,1e7,1e7,2e7,2e7,5,-300\n"),
+      file + ":2: there is no column sat_vx");
 }
 
 }  // namespace

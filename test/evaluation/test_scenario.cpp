@@ -22,7 +22,7 @@ Scenario written(const std::string& text) {
 
 class ShippedScenario : public testing::TestWithParam<const char*> {};
 
-TEST_P(ShippedScenario, LoadsAndRuns) {
+TEST_P(ShippedScenario, IsSteeredWithinWhatItsRobotCan) {
   const Scenario scenario = shipped(GetParam());
   EXPECT_EQ(scenario.name, GetParam());
   EXPECT_GE(scenario.waypoints.size(), 4U);

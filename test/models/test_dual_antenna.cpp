@@ -71,7 +71,8 @@ TEST(DualAntennaPose, HeadsAlongTheNormalOfAnOrdinaryBaseline) {  // Fig. 1 of [
 TEST(DualAntennaPose, LeverArmsCarriedBackTellThePoseOfNow) {
   const Pose2 now{3.0, 4.0, 3.0};
   const Pose2 then_in_now{-0.2, 0.05, -0.4};
-  const Measurement late = carried_back(across_the_base(now * then_in_now, 0.3), then_in_now);
+  const Measurement late =
+      carried_back(across_the_base(now * then_in_now, 0.3), [&](double) { return then_in_now; }).value();
   EXPECT_LT(error_of(*dual_antenna_pose(std::get<DualAntennaFix>(late), 0.0), now).cwiseAbs().maxCoeff(),
             1e-12);
 }

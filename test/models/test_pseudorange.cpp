@@ -69,6 +69,15 @@ TEST(SolvePosition, LeavesOutWhatHasNoWeight) {
   EXPECT_LT((solve_position(sky, weights, kAntenna)->position - kAntenna).norm(), 1e-3);
 }
 
+TEST(SolvePosition, OneThatClaimsMillimetresDoesNotDecideAlone) {
+  std::vector<SatelliteObservation> sky = observed(open_sky(), kAntenna, 0.0, 0.0);
+  sky[2].sigma = 1e-3;
+  sky[2].pseudorange += 10.0;
+  const auto solution = solve_position(sky, declared_weights(sky), Eigen::Vector3d::Zero());
+  ASSERT_TRUE(solution);
+  EXPECT_LT((solution->position - kAntenna).norm(), 20.0);
+}
+
 TEST(SolvePosition, NeedsAsManySatellitesAsUnknowns) {
   auto sky = observed(open_sky(), kAntenna, kGpsClock, kGlonassClock);
   std::vector<SatelliteObservation> few = {sky[0], sky[2], sky[5], sky[8], sky[10]};  // 3 + 2 clocks

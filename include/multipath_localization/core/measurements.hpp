@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -31,9 +33,10 @@ struct GnssFix {
   Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
 };
 
-/// Two fixes of one instant from antennas on one base; their lever arms tell which is where, Fig. 1 of [KAM].
+/// Two fixes of about one instant, each with its own stamp, from antennas on one base; their lever arms tell
+/// which is where, Fig. 1 of [KAM].
 struct DualAntennaFix {
-  double stamp = 0.0;  ///< [s]
+  double stamp = 0.0;  ///< the later one's [s]
   GnssFix left;
   GnssFix right;
 };
@@ -70,8 +73,11 @@ using Measurement = std::variant<GnssFix, DualAntennaFix, PseudorangeEpoch>;
 
 double stamp_of(const Measurement& measurement);
 
-/// The measurement as if its antennas sat on the base of now, their lever arms carried back to where they
-/// were: what was measured at `base_then_in_base_now` then constrains the pose of now.
-Measurement carried_back(Measurement measurement, const Pose2& base_then_in_base_now);
+/// Where the base was at a stamp [s], in the base of now; nothing where that is not known.
+using BaseThen = std::function<std::optional<Pose2>(double stamp)>;
+
+/// The measurement as if its antennas sat on the base of now, the lever arm of each carried back to where it
+/// was at its stamp: what was measured then constrains the pose of now. Nothing where `base_then` knows none.
+std::optional<Measurement> carried_back(Measurement measurement, const BaseThen& base_then);
 
 }  // namespace multipath_localization

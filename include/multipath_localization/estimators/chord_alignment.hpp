@@ -47,7 +47,7 @@ class ChordAlignment {
     Eigen::Vector2d antenna_in_odom;
     Eigen::Vector2d antenna_in_map;
     Eigen::Matrix2d covariance;  ///< of antenna_in_map
-    double stamp;
+    double moving_time;          ///< until then [s]
   };
 
   [[nodiscard]] Pose2 pose() const { return odometry_state::pose(state_.mean); }
@@ -60,7 +60,7 @@ class ChordAlignment {
   State state_;
   bool started_ = false;
   bool aligned_ = false;
-  double now_ = 0.0;
+  double moving_time_ = 0.0;  ///< since the start, standstill left out [s]
   Pose2 base_in_odom_;
   std::optional<Anchor> anchor_;
 };

@@ -9,6 +9,7 @@
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
+#include "multipath_localization/estimators/rejection_streak.hpp"
 #include "multipath_localization/filters/kalman.hpp"
 #include "multipath_localization/models/dual_antenna.hpp"
 #include "multipath_localization/models/gnss_position.hpp"
@@ -74,8 +75,7 @@ class DualAntennaEkf : public Estimator {
   Innovation track(const GnssFix& fix);
   template <int M>
   Innovation correct(const Eigen::Matrix<double, M, 1>& y, const Eigen::Matrix<double, M, kStates>& H,
-                     const Eigen::Matrix<double, M, M>& R, double gate,
-                     std::optional<double>& rejecting_since);
+                     const Eigen::Matrix<double, M, M>& R, double gate, RejectionStreak& rejections);
 
   DualAntennaEkfParameters parameters_;
   PoseError pose_error_;
@@ -86,8 +86,8 @@ class DualAntennaEkf : public Estimator {
   Phase phase_ = Phase::kWaiting;
   Gaussian<kStates> belief_;
   double now_ = 0.0;
-  std::optional<double> rejecting_pairs_since_;
-  std::optional<double> rejecting_fixes_since_;  ///< single ones
+  RejectionStreak rejected_pairs_;
+  RejectionStreak rejected_fixes_;  ///< single ones
 };
 
 }  // namespace multipath_localization

@@ -8,6 +8,7 @@
 #include "multipath_localization/estimators/chord_alignment.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
+#include "multipath_localization/estimators/rejection_streak.hpp"
 #include "multipath_localization/filters/kalman.hpp"
 #include "multipath_localization/models/gnss_position.hpp"
 #include "multipath_localization/models/odometry_state.hpp"
@@ -45,14 +46,13 @@ class GatedEkf : public Estimator {
  private:
   [[nodiscard]] const ChordAlignment::State& belief() const;
   Innovation track(const GnssFix& fix, const Eigen::Matrix2d& R);
-  [[nodiscard]] bool reopens();
 
   GatedEkfParameters parameters_;
   FixCheck fix_check_;
   ChordAlignment alignment_;
   std::optional<ChordAlignment::State> tracked_;  ///< once aligned
   double now_ = 0.0;
-  std::optional<double> rejecting_since_;
+  RejectionStreak rejections_;
 };
 
 }  // namespace multipath_localization

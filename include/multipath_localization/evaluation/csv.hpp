@@ -28,10 +28,9 @@ class CsvTable {
   /// The finite number in that cell. Throws DriveError when it is none.
   [[nodiscard]] double number(std::size_t row, const std::string& column) const;
 
-  /// The cell as it stands, without blanks and quotes round it.
-  [[nodiscard]] const std::string& text(std::size_t row, const std::string& column) const {
-    return cells_[row][columns_.at(column)];
-  }
+  /// The cell as it stands, without blanks and quotes round it. Throws DriveError where the file has no such
+  /// column.
+  [[nodiscard]] const std::string& text(std::size_t row, const std::string& column) const;
 
   /// A DriveError at the row's line of the file.
   [[nodiscard]] DriveError error(std::size_t row, const std::string& reason) const;

@@ -30,6 +30,10 @@ struct PseudorangeSolution {
   int degrees_of_freedom = 0;        ///< satellites used - unknowns
 };
 
+/// The declared standard deviation of a pseudorange as it is believed [m]: none is better than half a metre,
+/// or a single one would leave the others without a say.
+double believed_sigma(const SatelliteObservation& observation);
+
 /// Weights that trust the declared standard deviations: 1 / sigma^2 of each observation [1/m^2].
 std::vector<double> declared_weights(const std::vector<SatelliteObservation>& observations);
 

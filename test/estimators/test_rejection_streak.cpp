@@ -1,0 +1,29 @@
+#include <gtest/gtest.h>
+
+#include "multipath_localization/estimators/rejection_streak.hpp"
+
+namespace multipath_localization {
+namespace {
+
+TEST(RejectionStreak, LastsFromTheFirstRejectionToTheLatest) {
+  RejectionStreak streak;
+  EXPECT_EQ(streak.add(10.0), 0.0);
+  EXPECT_EQ(streak.add(11.5), 1.5);
+  EXPECT_EQ(streak.add(13.0), 3.0);
+}
+
+TEST(RejectionStreak, EndsWithAMeasurementThatPasses) {
+  RejectionStreak streak;
+  streak.add(10.0);
+  streak.end();
+  EXPECT_EQ(streak.add(11.0), 0.0);
+}
+
+TEST(RejectionStreak, TwoOutliersWithSilenceBetweenThemAreNone) {
+  RejectionStreak streak;
+  streak.add(10.0);
+  EXPECT_EQ(streak.add(16.0), 0.0);
+}
+
+}  // namespace
+}  // namespace multipath_localization
