@@ -8,6 +8,7 @@ std::string_view to_string(Reason reason) {
   switch (reason) {
     case Reason::kAccepted: return "accepted";
     case Reason::kUnused: return "unused";
+    case Reason::kNotNeeded: return "not needed";
     case Reason::kNotFinite: return "not finite";
     case Reason::kInvalidCovariance: return "invalid covariance";
     case Reason::kInvalidPosition: return "invalid position";

@@ -1,6 +1,7 @@
 #include "multipath_localization/estimators/localizer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace multipath_localization {
@@ -8,6 +9,8 @@ namespace multipath_localization {
 namespace {
 
 constexpr std::size_t kMostWaiting = 1000;  ///< measurements ahead of odometry that has stopped
+constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fixes", "pairs of fixes",
+                                                                              "pseudoranges"};
 
 OdometryIncrement lasting(OdometryIncrement increment, double start, double end) {
   increment.stamp = end;
@@ -35,6 +38,7 @@ void Localizer::start(const std::optional<PosePrior>& prior) {
   estimator_->start(prior);
   history_.clear();
   waiting_.clear();
+  accepted_.fill(std::nullopt);
   has_odometry_ = false;
 }
 
@@ -47,7 +51,7 @@ void Localizer::add(const OdometryIncrement& increment) {
     estimator_->predict(part);
     now_ = from = to;
   };
-  if (!has_odometry_) last_accepted_ = now_ = from;
+  if (!has_odometry_) start_ = now_ = from;
   has_odometry_ = true;
   while (!waiting_.empty() && stamp_of(waiting_.front()) <= increment.stamp) {
     const Measurement measurement = waiting_.front();
@@ -83,7 +87,10 @@ void Localizer::apply(const Measurement& measurement) {
     return;
   }
   const Innovation innovation = estimator_->update(*carried);
-  if (innovation.accepted()) last_accepted_ = std::max(last_accepted_, stamp);
+  if (innovation.accepted()) {
+    std::optional<double>& last = accepted_[measurement.index()];
+    last = std::max(last.value_or(stamp), stamp);
+  }
   reports_.push_back({stamp, measurement, innovation});
 }
 
@@ -95,17 +102,37 @@ Trust Localizer::state() const {
   if (!estimate.aligned) return Trust::kAligning;
   const double variance = estimate.position_covariance_overall.trace();
   if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return Trust::kLost;
-  if (now_ - last_accepted_ > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
+  if (now_ - last_accepted() > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
   const bool biased = estimate.shadow_probability > 0.5 || estimate.canyon_probability > 0.5;
   return biased ? Trust::kMultipath : Trust::kGood;
+}
+
+double Localizer::last_accepted() const {
+  return std::max(start_, std::max_element(accepted_.begin(), accepted_.end())->value_or(start_));
+}
+
+std::size_t Localizer::latest_kind() const {
+  return static_cast<std::size_t>(std::max_element(accepted_.begin(), accepted_.end()) - accepted_.begin());
+}
+
+std::string Localizer::basis() const { return kKinds[latest_kind()]; }
+
+std::string Localizer::missed() const {
+  std::string text;
+  for (std::size_t kind = latest_kind() + 1; kind < accepted_.size(); ++kind) {
+    const double age = now_ - accepted_[kind].value_or(now_);
+    if (age <= parameters_.dead_reckoning_after) continue;
+    text += std::string(", no ") + kKinds[kind] + " for " + std::to_string(std::lround(age)) + " s";
+  }
+  return text;
 }
 
 std::string Localizer::state_reason() const {
   switch (state()) {
     case Trust::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
     case Trust::kAligning: return "heading or position not yet confirmed, drive on under open sky";
-    case Trust::kGood: return "fixes agree with odometry";
-    case Trust::kMultipath: return "fixes are biased, the bias is being tracked";
+    case Trust::kGood: return basis() + " agree with odometry" + missed();
+    case Trust::kMultipath: return basis() + " are biased, the bias is being tracked" + missed();
     case Trust::kDeadReckoning: return "no usable fix, running on odometry";
     case Trust::kLost: return "position too uncertain to drive by";
   }

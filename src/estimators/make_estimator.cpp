@@ -1,8 +1,11 @@
 #include "multipath_localization/estimators/make_estimator.hpp"
 
+#include <utility>
+
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/estimators/conventional_particle_filter.hpp"
 #include "multipath_localization/estimators/dual_antenna_ekf.hpp"
+#include "multipath_localization/estimators/fallback_estimator.hpp"
 #include "multipath_localization/estimators/gated_ekf.hpp"
 #include "multipath_localization/estimators/multipath_particle_filter.hpp"
 #include "multipath_localization/estimators/nishida_particle_filter.hpp"
@@ -32,6 +35,33 @@ Entry entry(const char* name) {
           [] { return describe(Parameters{}); }};
 }
 
+template <class Parameters>
+struct WithFallback {
+  Parameters of_epochs;
+  FallbackParameters fallback;
+
+  void fields(ParameterVisitor& field) {
+    of_epochs.fields(field);
+    field.group("fallback", fallback, "how it goes on where there are fixes but no pseudoranges");
+  }
+};
+
+/// The entry of an estimator of raw epochs for which one of fixes stands in.
+template <class Type, class Parameters>
+Entry entry_with_fallback(const char* name) {
+  return {name,
+          [](const YAML::Node& source, std::uint64_t seed) -> std::unique_ptr<Estimator> {
+            WithFallback<Parameters> parameters;
+            load(source, parameters);
+            auto of_epochs = std::make_unique<Type>(parameters.of_epochs, seed);
+            if (!parameters.fallback.enabled) return of_epochs;
+            auto of_fixes = std::make_unique<MultipathParticleFilter>(parameters.fallback.fixes, seed);
+            return std::make_unique<FallbackEstimator>(std::move(of_epochs), std::move(of_fixes),
+                                                       parameters.fallback);
+          },
+          [] { return describe(WithFallback<Parameters>{}); }};
+}
+
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {
       entry<MultipathParticleFilter, MultipathParticleFilterParameters>("multipath_particle_filter"),
@@ -40,8 +70,10 @@ const std::vector<Entry>& entries() {
       entry<GatedEkf, GatedEkfParameters>("gated_ekf"),
       entry<TwoStageEkf, TwoStageEkfParameters>("two_stage_ekf"),
       entry<DualAntennaEkf, DualAntennaEkfParameters>("dual_antenna_ekf"),
-      entry<PseudorangeParticleFilter, PseudorangeParticleFilterParameters>("pseudorange_particle_filter"),
-      entry<PseudorangeMixtureFilter, PseudorangeMixtureFilterParameters>("pseudorange_mixture_filter"),
+      entry_with_fallback<PseudorangeParticleFilter, PseudorangeParticleFilterParameters>(
+          "pseudorange_particle_filter"),
+      entry_with_fallback<PseudorangeMixtureFilter, PseudorangeMixtureFilterParameters>(
+          "pseudorange_mixture_filter"),
   };
   return all;
 }

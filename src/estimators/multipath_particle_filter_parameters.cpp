@@ -23,6 +23,7 @@ void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
         "probability of open sky that counts towards confirming the pose");
   field("confirm_distance", confirm_distance, {0.0, 1000.0}, "m",
         "driving under open sky that confirms the pose");
+  field("confirmed_start", confirmed_start, "whether a pose to start from counts as confirmed");
   field("position_sigma_floor", position_sigma_floor, {0.0, 100.0}, "m",
         "added to the published position: no covariance is believed below it");
   field.group("odometry", odometry, "how far the wheel odometry can be trusted");

@@ -27,7 +27,7 @@ std::string InputMonitor::described() const {
 unsigned InputMonitor::refused() const {
   unsigned sum = 0;
   for (const auto& [reason, number] : counts_) {
-    if (reason != Reason::kAccepted && reason != Reason::kUnused) sum += number;
+    if (is_fault(reason)) sum += number;
   }
   return sum;
 }

@@ -15,7 +15,7 @@ std::string most_frequent_refusal(const InputMonitor& input) {
   Reason found = Reason::kAccepted;
   unsigned most = 0;
   for (const auto& [reason, number] : input.counts()) {
-    if (reason == Reason::kAccepted || reason == Reason::kUnused || number <= most) continue;
+    if (!is_fault(reason) || number <= most) continue;
     found = reason;
     most = number;
   }

@@ -14,17 +14,8 @@ bool has_pair(const SimulatorParameters& simulator) { return simulator.dual_rece
 
 }  // namespace
 
-void SimulatorFrames::fields(ParameterVisitor& field) {
-  field("map_frame", map_frame, {}, "of truth, zones and buildings");
-  field("odom_frame", odom_frame, {}, "in which odometry starts at zero");
-  field("base_link_frame", base_link_frame, {}, "of the robot");
-  field("gps_frame", gps_frame, {}, "of the antenna of fixes and pseudoranges");
-  field("gps_left_frame", gps_left_frame, {}, "of the left one of two antennas");
-  field("gps_right_frame", gps_right_frame, {}, "of the right one");
-}
-
 SimulatedGnss::SimulatedGnss(ros::NodeHandle node, const SimulatorParameters& simulator,
-                             const SimulatorFrames& frames, const ros::Time& origin)
+                             const RobotFrames& frames, const ros::Time& origin)
     : frames_(frames), map_(simulator.datum()), origin_(origin) {
   if (has_receiver(simulator)) fix_ = node.advertise<sensor_msgs::NavSatFix>("gps/fix", kQueue);
   if (has_receiver(simulator) && simulator.receiver.source == "satellites") {

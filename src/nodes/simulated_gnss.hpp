@@ -8,27 +8,16 @@
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/simulation/simulator.hpp"
+#include "nodes/robot_frames.hpp"
 
 namespace multipath_localization {
-
-/// Names of the simulated robot's frames.
-struct SimulatorFrames {
-  std::string map_frame = "map";
-  std::string odom_frame = "odom";
-  std::string base_link_frame = "base_link";
-  std::string gps_frame = "gps";
-  std::string gps_left_frame = "gps_left";
-  std::string gps_right_frame = "gps_right";
-
-  void fields(ParameterVisitor& field);
-};
 
 /// Publishes what the simulated receivers measure, on the topics of those that there are: `gps/fix`,
 /// `gps/left/fix` and `gps/right/fix`, `gnss/epoch`; and where their antennas are, on tf.
 class SimulatedGnss {
  public:
   /// `origin`: stamp of simulated time 0.
-  SimulatedGnss(ros::NodeHandle node, const SimulatorParameters& simulator, const SimulatorFrames& frames,
+  SimulatedGnss(ros::NodeHandle node, const SimulatorParameters& simulator, const RobotFrames& frames,
                 const ros::Time& origin);
 
   void publish(const Measurement& measurement);
@@ -40,7 +29,7 @@ class SimulatedGnss {
   void place_antennas(const SimulatorParameters& simulator);
   [[nodiscard]] std_msgs::Header header(double time, const std::string& frame) const;
 
-  SimulatorFrames frames_;
+  RobotFrames frames_;
   LocalFrame map_;
   ros::Time origin_;
   ros::Publisher fix_, left_, right_, epoch_;

@@ -20,7 +20,7 @@ struct SimulatorNodeParameters {
   double real_time_factor = 1.0;
   bool publish_clock = false;
   double command_timeout = 0.5;
-  SimulatorFrames frames;
+  RobotFrames frames;
 
   void fields(ParameterVisitor& field);
   /// Other than in real time, time itself is simulated.

@@ -26,6 +26,13 @@ TEST(Innovation, IsAcceptedForOneReasonOnly) {
   EXPECT_FALSE(Innovation{}.accepted());
 }
 
+TEST(Reason, WhatIsOfNoUseWhateverItHoldsIsNoFault) {
+  EXPECT_FALSE(is_fault(Reason::kAccepted));
+  EXPECT_FALSE(is_fault(Reason::kUnused));
+  EXPECT_FALSE(is_fault(Reason::kNotNeeded));
+  EXPECT_TRUE(is_fault(Reason::kGated));
+}
+
 TEST(PoseEstimate, CountsForNothingUntilMeasured) {
   EXPECT_FALSE(PoseEstimate{}.valid);
   EXPECT_FALSE(PoseEstimate{}.aligned);

@@ -25,9 +25,10 @@ class Recorder : public Estimator {
   }
 
   Innovation update(const Measurement& z) override {
-    const auto& fix = std::get<GnssFix>(z);
     Innovation innovation;
     innovation.reason = verdict;
+    if (!std::holds_alternative<GnssFix>(z)) return innovation;
+    const auto& fix = std::get<GnssFix>(z);
     innovation.innovation = fix.position - estimate_.pose * fix.antenna_in_base;
     innovations.push_back(innovation.innovation);
     used_at.push_back(estimate_.stamp);
@@ -241,6 +242,26 @@ TEST_F(LocalizerTest, OnlyAnAcceptedFixEndsDeadReckoning) {
   EXPECT_EQ(localizer->state(), Trust::kGood);
   recorder->estimate_.canyon_probability = 0.9;
   EXPECT_EQ(localizer->state(), Trust::kMultipath);
+}
+
+TEST_F(LocalizerTest, TheReasonTellsWhatItRunsOnAndWhatIsMissed) {
+  recorder->estimate_.valid = recorder->estimate_.aligned = true;
+  drive(1.0);
+  PseudorangeEpoch epoch;
+  epoch.stamp = now;
+  localizer->add(Measurement(epoch));
+  EXPECT_EQ(localizer->state_reason(), "pseudoranges agree with odometry");
+  drive(7.0);
+  reason_of(now);
+  EXPECT_EQ(localizer->state_reason(), "fixes agree with odometry, no pseudoranges for 7 s");
+  drive(5.0);
+  epoch.stamp = now;
+  localizer->add(Measurement(epoch));
+  EXPECT_EQ(localizer->state_reason(), "pseudoranges agree with odometry") << "fixes are not missed";
+  localizer->start(std::nullopt);
+  drive(1.0);
+  reason_of(now);
+  EXPECT_EQ(localizer->state_reason(), "fixes agree with odometry");
 }
 
 TEST_F(LocalizerTest, AnUncertaintyThatIsNoNumberIsLost) {

@@ -184,6 +184,17 @@ TEST(MultipathParticleFilter, StartsAtAPriorAndConfirmsItByDriving) {
   }
 }
 
+TEST(MultipathParticleFilter, APriorMayCountAsConfirmed) {
+  MultipathParticleFilterParameters parameters;
+  parameters.confirmed_start = true;
+  MultipathParticleFilter filter(parameters, 1);
+  filter.start(prior_at({1.0, 2.0, 0.5}, 0.05));
+  EXPECT_TRUE(filter.estimate().aligned);
+  filter.start(std::nullopt);
+  filter.update(GnssFix{});
+  EXPECT_FALSE(filter.estimate().aligned) << "without a prior there is nothing to count";
+}
+
 TEST(MultipathParticleFilter, UnusableFixesAreRefusedWithTheReasonAndChangeNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   MultipathParticleFilter filter({}, 1);

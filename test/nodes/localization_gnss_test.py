@@ -69,21 +69,54 @@ class LocalizationGnss(unittest.TestCase):
                 (lambda m: setattr(m.pseudoranges[0], 'pseudorange', math.inf), 'unused')):
             self.assertEqual(session.send_epoch(spoilt(robot.epoch(), spoil)).reason, reason)
 
-    def test_raw_epochs_tell_the_pose_and_the_datum(self):
+    def drive_by_epochs(self, session, robot, seconds):
+        """Epochs with one useless satellite each; the last pose."""
+        def send(robot):
+            epoch = robot.epoch()
+            epoch.pseudoranges[0].pseudorange = math.nan
+            report = session.send_epoch(epoch)
+            self.assertEqual((report.reason, report.usable_satellites), ('accepted', 7))
+        session.drive(robot, seconds, answered=False, send=send)
+        return session.drive(robot, 0.05, fix_every=0)[-1]
+
+    def test_raw_epochs_tell_the_pose_and_fixes_stand_in_for_them(self):
         session, robot = Session('raw/'), Robot(seed=4)
         session.send_odometry(robot.odometry(), answered=False)
-        self.assertEqual(session.send_fix(robot.fix()).reason, 'unused', 'and no datum')
-        for i in range(900):
-            robot.step()
-            session.send_odometry(robot.odometry(), answered=False)
-            if i % 4 == 0:
-                epoch = robot.epoch()
-                epoch.pseudoranges[i % 8].pseudorange = math.nan
-                report = session.send_epoch(epoch)
-                self.assertEqual((report.reason, report.usable_satellites), ('accepted', 7))
-        pose = session.drive(robot, 0.05, fix_every=0)[-1]
-        self.assertLess(robot.error_of(pose.pose.pose), 1.5, 'metres; the datum is the first solution')
+        self.assertEqual(session.send_fix(robot.fix()).reason, 'not needed')
+        pose = self.drive_by_epochs(session, robot, 45.0)
+        self.assertLess(robot.error_of(pose.pose.pose), 1.5, 'metres; the datum is the first measurement')
         self.assertEqual(session.states[-1].name, 'GOOD')
+
+        first, number = len(session.reports), len(session.states)
+        pose = session.drive(robot, 20.0)[-1]
+        reasons = [report.reason for report in session.reports[first:]]
+        self.assertEqual(set(reasons), {'not needed', 'accepted'})
+        self.assertAlmostEqual(0.2 * reasons.count('not needed'), 2.0, delta=0.4, msg='seconds')
+        self.assertLess(robot.error_of(pose.pose.pose), 1.5, 'metres')
+        self.assertEqual({state.name for state in session.states[number:]} - {'GOOD', 'MULTIPATH'}, set())
+        self.assertIn('fixes', session.states[-1].reason)
+        self.assertIn('no pseudoranges for', session.states[-1].reason)
+        name = 'raw/localization: fix'
+        self.diagnostics.clear()
+        session.wait(lambda: self.level_of(name) == DiagnosticStatus.OK, 'diagnostics without a fault of fixes')
+
+        pose = self.drive_by_epochs(session, robot, 10.0)
+        self.assertLess(robot.error_of(pose.pose.pose), 1.5, 'metres')
+        self.assertEqual(session.states[-1].reason, 'pseudoranges agree with odometry')
+        self.assertEqual(session.send_fix(robot.fix()).reason, 'not needed')
+        session.drive(robot, 5.0, fix_every=0)
+        self.assertEqual(session.states[-1].name, 'DEAD_RECKONING')
+
+    def level_of(self, status):
+        return next((entry.level for name, entry in self.diagnostics.items() if name.endswith(status)), None)
+
+    def test_fixes_alone_do_where_raw_epochs_never_come(self):
+        session, robot = Session('raw/'), Robot(seed=5)
+        session.send_odometry(robot.odometry(), answered=False)
+        session.drive(robot, 2.5, answered=False)
+        pose = session.drive(robot, 15.0)[-1]
+        self.assertLess(robot.error_of(pose.pose.pose), 1.5, 'metres')
+        self.assertIn('fixes', session.states[-1].reason)
 
     def test_pairs_tell_the_heading_at_rest(self):
         session, robot = Session('dual/'), Robot(seed=3, yaw=2.5, speed=0.0, yaw_rate=0.0)

@@ -11,6 +11,7 @@ namespace multipath_localization {
 enum class Reason {
   kAccepted,
   kUnused,             ///< a kind of measurement this estimator has no model for
+  kNotNeeded,          ///< a kind that stands by for a better one, which is there
   kNotFinite,          ///< NaN or infinity in a field that counts
   kInvalidCovariance,  ///< declared covariance negative or not symmetric positive semi-definite
   kInvalidPosition,    ///< latitude or longitude out of range, or further from the datum than the map reaches
@@ -41,6 +42,11 @@ struct Innovation {
 
   [[nodiscard]] bool accepted() const { return reason == Reason::kAccepted; }
 };
+
+/// Whether it is the measurement's own fault that it was not used.
+inline bool is_fault(Reason reason) {
+  return reason != Reason::kAccepted && reason != Reason::kUnused && reason != Reason::kNotNeeded;
+}
 
 inline Innovation refused(Reason reason) {
   Innovation innovation;

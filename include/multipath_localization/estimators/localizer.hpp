@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "multipath_localization/core/odometry_history.hpp"
@@ -58,6 +61,14 @@ class Localizer {
 
  private:
   void apply(const Measurement& measurement);
+  /// When a measurement was accepted last, the start of odometry before the first [s].
+  [[nodiscard]] double last_accepted() const;
+  [[nodiscard]] std::size_t latest_kind() const;
+  /// What was accepted last: "fixes", "pairs of fixes", "pseudoranges".
+  [[nodiscard]] std::string basis() const;
+  /// ", no pseudoranges for 12 s": what says more than that, was accepted before and is missed; empty for
+  /// nothing.
+  [[nodiscard]] std::string missed() const;
 
   std::unique_ptr<Estimator> estimator_;
   LocalizerParameters parameters_;
@@ -66,7 +77,8 @@ class Localizer {
   std::vector<MeasurementReport> reports_;
   double now_ = 0.0;
   bool has_odometry_ = false;
-  double last_accepted_ = 0.0;
+  double start_ = 0.0;                                                            ///< of odometry
+  std::array<std::optional<double>, std::variant_size_v<Measurement>> accepted_;  ///< last stamp, by kind
 };
 
 }  // namespace multipath_localization

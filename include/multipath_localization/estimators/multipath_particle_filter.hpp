@@ -23,6 +23,7 @@ struct MultipathParticleFilterParameters {
   double alignment_variance_floor = 0.02;
   double confirm_probability = 0.8;
   double confirm_distance = 12.0;
+  bool confirmed_start = false;
   double position_sigma_floor = 0.05;
   OdometryNoise odometry;
   ReceiverClasses classes;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "multipath_localization/core/parameters.hpp"
+
+namespace multipath_localization {
+
+/// Names of the frames of a robot that is simulated or played back.
+struct RobotFrames {
+  std::string map_frame = "map";
+  std::string odom_frame = "odom";
+  std::string base_link_frame = "base_link";
+  std::string gps_frame = "gps";
+  std::string gps_left_frame = "gps_left";
+  std::string gps_right_frame = "gps_right";
+
+  void fields(ParameterVisitor& field);
+};
+
+}  // namespace multipath_localization
