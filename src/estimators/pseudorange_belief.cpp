@@ -77,16 +77,16 @@ void PseudorangeBelief::change_slots(double dt, const ReceiverStateNoise& noise,
                                      const SatelliteSlots& slots) {
   Matrix& P = covariance;
   const double kept = std::exp(-dt / noise.bias_time);
+  Vector factor = Vector::Ones(mean.size());
+  for (int slot = 0; slot < slots.size(); ++slot) {
+    if (slots.owner(slot).satellite) factor(state_of(slot)) = kept;
+  }
+  mean.array() *= factor.array();
+  for (Eigen::Index i = 0; i < P.cols(); ++i) P.col(i).array() *= factor(i) * factor.array();
   for (int slot = 0; slot < slots.size(); ++slot) {
     const int i = state_of(slot);
-    if (slots.owner(slot).satellite) {
-      mean(i) *= kept;
-      P.row(i) *= kept;
-      P.col(i) *= kept;
-      P(i, i) += square(noise.bias_sigma) * (1.0 - kept * kept);
-    } else {
-      P(i, i) += square(noise.offset_walk) * dt;
-    }
+    P(i, i) += slots.owner(slot).satellite ? square(noise.bias_sigma) * (1.0 - kept * kept)
+                                           : square(noise.offset_walk) * dt;
   }
 }
 
@@ -105,7 +105,10 @@ void PseudorangeBelief::add_noise(const PreintegratedOdometry& odometry, const E
   P(kUp, kUp) += square(noise.up_walk) * moving;
   P(kClock, kClock) += square(noise.clock_walk) * dt;
   P(kDrift, kDrift) += square(noise.drift_walk) * dt;
-  P = (0.5 * (P + P.transpose())).eval();
+  // Rounding is to leave P symmetric. Only these rows and columns were changed apart.
+  P.leftCols<kFixed>() = P.topRows<kFixed>().transpose().eval();
+  P.topLeftCorner<kFixed, kFixed>() =
+      (0.5 * (P.topLeftCorner<kFixed, kFixed>() + P.topLeftCorner<kFixed, kFixed>().transpose())).eval();
 }
 
 PseudorangeBelief::Vector PseudorangeBelief::covariance_with(const SparseRow& H) const {

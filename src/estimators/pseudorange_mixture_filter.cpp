@@ -14,21 +14,15 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kLongestFlush = 1.0;    // [s]
-constexpr double kFirstDuration = 0.2;   // data that the first epoch counts for [s]
-constexpr double kLeastDuration = 1e-3;  // [s]
-constexpr double kFullSpeed = 1.0;       // from here on errors change at their full pace [m/s]
-constexpr double kAtRest = 0.1;          // of that pace
-constexpr double kUpClockCorrelation = 0.8;
-constexpr double kGoldenRatio = 0.6180339887498949;
+constexpr double kLongestFlush = 1.0;     // [s]
+constexpr double kFirstDuration = 0.2;    // data that the first epoch counts for [s]
+constexpr double kLeastDuration = 1e-3;   // [s]
+constexpr double kFullSpeed = 1.0;        // from here on errors change at their full pace [m/s]
+constexpr double kAtRest = 0.1;           // of that pace
 constexpr double kSettledYawSigma = 0.3;  // [rad]
 constexpr double kUnsettle = 0.8;         // mass of the cluster that ends an alignment
 constexpr std::size_t kCloud = 200;
-constexpr std::uint32_t kSeeding = 0xFFFFFFFEU;  // random streams beside those of hypotheses
-constexpr double kLeastYawStrata = 12.0;
-constexpr double kSeedSigma = 5.0;     // [m]
-constexpr double kSeedLogScale = 3.0;  // tempers the choice of seeds: errors of one epoch mislead
-constexpr int kReseedPart = 4;         // of the hypotheses at the start
+constexpr double kAgreementTime = 4.0;  // single epochs do not make a doubt [s]
 
 double square(double x) { return x * x; }
 
@@ -46,6 +40,7 @@ void PseudorangeMixtureFilter::start(const std::optional<PosePrior>& prior) {
   last_ = OdometryIncrement();
   step_ = 0;
   last_epoch_ = last_seeding_ = moved_ = settled_over_ = 0.0;
+  agreement_ = 1.0;
   has_clock_ = aligned_ = false;
   if (!prior || !usable(*prior)) return;
   last_.stamp = last_epoch_ = last_seeding_ = prior->stamp;
@@ -55,76 +50,6 @@ void PseudorangeMixtureFilter::start(const std::optional<PosePrior>& prior) {
   bank_.push_back(hypothesis);
   aligned_ = prior->covariance(kYaw, kYaw) < square(kSettledYawSigma);
   refresh();
-}
-
-PseudorangeHypothesis PseudorangeMixtureFilter::unknown_hypothesis() const {
-  using State = PseudorangeBelief;
-  PseudorangeHypothesis hypothesis;
-  auto& P = hypothesis.belief.covariance;
-  P.diagonal().head<2>().setConstant(square(parameters_.start_sigma));
-  P(kYaw, kYaw) = square(kPi / std::max(kLeastYawStrata, static_cast<double>(parameters_.hypotheses)));
-  P(kScale, kScale) = square(parameters_.odometry.scale_sigma);
-  P(kGyroBias, kGyroBias) = square(parameters_.odometry.gyro_bias_sigma);
-  // What lengthens all ranges alike is known better than height and clock.
-  const double up = square(parameters_.start_up_sigma);
-  P(State::kUp, State::kUp) = P(State::kClock, State::kClock) = up;
-  P(State::kUp, State::kClock) = P(State::kClock, State::kUp) = kUpClockCorrelation * up;
-  P(State::kDrift, State::kDrift) = square(parameters_.start_drift_sigma);
-  return hypothesis;
-}
-
-PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeSeed& seed, double yaw,
-                                                              const Eigen::Vector2d& antenna_in_base) const {
-  using State = PseudorangeBelief;
-  PseudorangeHypothesis hypothesis = has_clock_ || bank_.empty() ? unknown_hypothesis() : bank_.front();
-  if (has_clock_ || bank_.empty()) {
-    hypothesis.belief.mean.head<2>() = seed.position.head<2>() - rotation(yaw) * antenna_in_base;
-    hypothesis.belief.mean(kYaw) = yaw;
-  }
-  hypothesis.belief.mean(State::kUp) = seed.position.z();
-  hypothesis.belief.mean(State::kClock) = seed.clock;
-  for (int slot = 0; slot < slots_.size(); ++slot) {
-    const SlotOwner& owner = slots_.owner(slot);
-    const double sigma =
-        owner.satellite ? parameters_.receiver.bias_sigma : parameters_.receiver.offset_sigma;
-    if (State::state_of(slot) == hypothesis.belief.mean.size()) hypothesis.append(square(sigma));
-    if (owner.satellite) continue;
-    hypothesis.belief.mean(State::state_of(slot)) =
-        seed.offset[static_cast<std::size_t>(owner.constellation)];
-  }
-  return hypothesis;
-}
-
-std::optional<AntennaPrior> PseudorangeMixtureFilter::antenna_prior(
-    const Eigen::Vector2d& antenna_in_base) const {
-  if (has_clock_ || bank_.empty()) return std::nullopt;
-  const FixPrediction prediction(bank_.front().belief.planar(), antenna_in_base);
-  return AntennaPrior{prediction.antenna, prediction.antenna_covariance};
-}
-
-bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double probability) {
-  std::vector<SatelliteObservation> observations;
-  for (const SlottedObservation& satellite : epoch.satellites) observations.push_back(satellite.observation);
-  const PseudorangeSeedingParameters settings{parameters_.subsets, kSeedSigma,
-                                              parameters_.receiver.offset_sigma, kSeedLogScale};
-  RandomStream random(seed_, step_, kSeeding);
-  const auto seeds =
-      pseudorange_seeds(observations, antenna_prior(epoch.antenna_in_base), static_cast<std::size_t>(count),
-                        parameters_.errors.mixture, settings, random);
-  if (seeds.empty()) return false;
-  // Headings by the golden ratio: evenly over the circle for each stretch of the seeds.
-  double turn = random.uniform();
-  std::vector<PseudorangeHypothesis> newcomers;
-  for (const PseudorangeSeed& seed : seeds) {
-    newcomers.push_back(hypothesis_at(seed, kPi * (2.0 * turn - 1.0), epoch.antenna_in_base));
-    newcomers.back().log_weight = std::log(probability / static_cast<double>(count));
-    turn = std::fmod(turn + kGoldenRatio, 1.0);
-  }
-  if (!has_clock_) bank_.clear();
-  bank_.insert(bank_.end(), newcomers.begin(), newcomers.end());
-  has_clock_ = true;
-  last_seeding_ = last_.stamp;
-  return true;
 }
 
 void PseudorangeMixtureFilter::predict(const OdometryIncrement& u) {
@@ -166,12 +91,11 @@ Innovation PseudorangeMixtureFilter::weigh(const PseudorangeEpoch& epoch) {
     if (!bank_.empty()) refresh();
     return refused(Reason::kTooFewSatellites);
   }
-  if (reseeding_due()) {
-    seed(slotted_epoch, std::max(1, parameters_.hypotheses / kReseedPart), parameters_.reseed_probability);
-  }
+  if (rivals_due()) add_rivals(slotted_epoch);
   for (PseudorangeHypothesis& hypothesis : bank_) hypothesis.update(slotted_epoch, parameters_.errors);
-  thin_out(bank_, parameters_.least_weight);
+  thin_out(bank_, parameters_.least_weight * rival_probability());
   refresh();
+  update_agreement(slotted_epoch);
   update_alignment();
   while (const auto slot = slots_.stale(last_.stamp - parameters_.slot_time)) release(*slot);
   last_epoch_ = last_.stamp;
@@ -182,17 +106,13 @@ Innovation PseudorangeMixtureFilter::weigh(const PseudorangeEpoch& epoch) {
   return result;
 }
 
-bool PseudorangeMixtureFilter::reseeding_due() const {
-  return !aligned_ && moved_ > 0.0 && last_.stamp - last_seeding_ > parameters_.reseed_interval;
-}
-
 SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
   SlottedEpoch result;
   result.antenna_in_base = epoch.antenna_in_base;
   result.age = std::max(0.0, last_.stamp - epoch.stamp);
   result.duration = has_clock_ ? std::max(kLeastDuration, last_.stamp - last_epoch_) : kFirstDuration;
   const double pace = moved_ / result.duration / kFullSpeed;
-  result.information = result.duration * (has_clock_ ? std::clamp(pace, kAtRest, 1.0) : 1.0);
+  result.information = result.duration * (has_clock_ && !in_doubt() ? std::clamp(pace, kAtRest, 1.0) : 1.0);
   result.bias_variance = square(parameters_.receiver.bias_sigma);
   result.speed = last_.speed;
   result.yaw_rate = last_.yaw_rate;
@@ -235,11 +155,21 @@ void PseudorangeMixtureFilter::release(int slot) {
   slots_.remove(slot);
 }
 
+void PseudorangeMixtureFilter::update_agreement(const SlottedEpoch& epoch) {
+  double expected = 0.0;
+  double found = 0.0;
+  for (const SlottedObservation& satellite : epoch.satellites) expected += satellite.prior;
+  const std::vector<double> weights = weights_of(bank_);
+  for (std::size_t i = 0; i < bank_.size(); ++i) found += weights[i] * bank_[i].line_of_sight_share;
+  found *= static_cast<double>(epoch.satellites.size());
+  agreement_ += (found / expected - agreement_) * (1.0 - std::exp(-epoch.duration / kAgreementTime));
+}
+
 void PseudorangeMixtureFilter::update_alignment() {
-  const bool settled = cluster_.mass >= parameters_.align_probability &&
+  const bool settled = !in_doubt() && cluster_.mass >= parameters_.align_probability &&
                        cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
   settled_over_ = settled ? settled_over_ + moved_ : 0.0;
-  if (cluster_.mass < kUnsettle) aligned_ = false;
+  if (cluster_.mass < kUnsettle || in_doubt()) aligned_ = false;
   if (settled && settled_over_ >= parameters_.align_distance) aligned_ = true;
 }
 

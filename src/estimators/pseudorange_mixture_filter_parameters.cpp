@@ -8,14 +8,20 @@ void PseudorangeMixtureFilterParameters::fields(ParameterVisitor& field) {
   field("start_sigma", start_sigma, {0.1, 1e4}, "m", "1 sigma of a hypothesis' position at its start");
   field("start_up_sigma", start_up_sigma, {0.1, 1e4}, "m", "1 sigma of its height and clock at its start");
   field("start_drift_sigma", start_drift_sigma, {0.1, 1e4}, "m/s", "1 sigma of the unknown clock drift");
-  field("least_weight", least_weight, {0.0, 0.1}, "1",
-        "a hypothesis lighter than this part of the heaviest is dropped");
+  field(
+      "least_weight", least_weight, {0.0, 1.0}, "1",
+      "a hypothesis lighter than this part of what new ones get together, against the heaviest, is dropped");
   field("reseed_interval", reseed_interval, {0.1, 1e3}, "s",
-        "until one cluster has won, new hypotheses are tried this often while moving");
+        "until one cluster has won, new hypotheses are tried this often while moving or in doubt");
   field("reseed_probability", reseed_probability, {0.0, 0.5}, "1", "weight that they get together");
+  field("watch_interval", watch_interval, {0.1, 1e3}, "s", "likewise once one has won");
+  field("watch_probability", watch_probability, {0.0, 0.5}, "1", "weight that they get together then");
   field("align_probability", align_probability, {0.5, 1.0}, "1",
         "weight of the dominant cluster that settles position and heading");
   field("align_distance", align_distance, {0.0, 1e3}, "m", "distance over which it has to hold it");
+  field("least_agreement", least_agreement, {0.0, 1.0}, "1",
+        "satellites found in line of sight over those that C/N0 and elevation promise: below it the place is "
+        "in doubt and the filter not aligned");
   field("slot_time", slot_time, {1.0, 1e5}, "s", "a satellite unseen for this long is forgotten");
   field("position_sigma_floor", position_sigma_floor, {0.001, 100.0}, "m", "added to the published position");
   field.group("odometry", odometry, "trust in the wheel odometry");

@@ -18,7 +18,7 @@ struct ReceiverStateNoise {
   double drift_walk = 0.03;
   double offset_sigma = 15.0;
   double offset_walk = 0.01;
-  double bias_sigma = 4.0;
+  double bias_sigma = 4.5;
   double bias_time = 1000.0;
 
   void fields(ParameterVisitor& field);

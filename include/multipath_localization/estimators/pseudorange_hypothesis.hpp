@@ -14,7 +14,7 @@ namespace multipath_localization {
 struct RangeErrorParameters {
   double range_sigma = 2.0;
   double range_correlation_time = 1.0;
-  double evidence_time = 20.0;
+  double evidence_time = 30.0;
   double mode_time = 20.0;
   double range_rate_sigma = 0.3;
   double range_rate_correlation_time = 1.0;

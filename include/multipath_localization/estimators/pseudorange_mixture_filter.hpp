@@ -19,11 +19,14 @@ struct PseudorangeMixtureFilterParameters {
   double start_sigma = 15.0;
   double start_up_sigma = 25.0;
   double start_drift_sigma = 100.0;
-  double least_weight = 1e-4;
+  double least_weight = 0.01;
   double reseed_interval = 2.0;
   double reseed_probability = 0.005;
+  double watch_interval = 15.0;
+  double watch_probability = 1e-4;
   double align_probability = 0.95;
   double align_distance = 20.0;
+  double least_agreement = 0.4;
   double slot_time = 300.0;
   double position_sigma_floor = 0.3;
   OdometryNoise odometry;
@@ -42,8 +45,10 @@ struct PseudorangeMixtureFilterParameters {
 /// constants of the odometry, height, clock and one bias for each satellite, and whether a satellite is in
 /// line of sight is a probability: a mixture of a Gaussian and a Gaussian with exponential delay, with a
 /// prior from C/N0 and elevation and a memory. Hypotheses start at positions by random subsets of satellites
-/// and at headings all round the circle; evidence weighs them, and those that lose are dropped. Until one
-/// cluster has won, new ones are tried now and then.
+/// and at headings all round the circle; evidence weighs them, and those that lose are dropped. New ones are
+/// tried for ever, with little weight once a cluster has won: a wrong place has to stand against them. When
+/// far fewer satellites seem to be in line of sight than their signals promise, the filter is no longer
+/// aligned, wherever its weight is.
 class PseudorangeMixtureFilter : public Estimator {
  public:
   PseudorangeMixtureFilter(const PseudorangeMixtureFilterParameters& parameters, std::uint64_t seed);
@@ -69,8 +74,17 @@ class PseudorangeMixtureFilter : public Estimator {
   void release(int slot);
   void flush_odometry();
   void refresh();
+  void update_agreement(const SlottedEpoch& epoch);
   void update_alignment();
-  [[nodiscard]] bool reseeding_due() const;
+  [[nodiscard]] bool rivals_due() const;
+  /// Tries other places and headings beside those of the bank.
+  void add_rivals(const SlottedEpoch& epoch);
+  /// Whether far fewer satellites seem to be in line of sight than their signals promise.
+  [[nodiscard]] bool in_doubt() const { return agreement_ < parameters_.least_agreement; }
+  /// Weight that rivals get together.
+  [[nodiscard]] double rival_probability() const {
+    return aligned_ ? parameters_.watch_probability : parameters_.reseed_probability;
+  }
   [[nodiscard]] Belief current(const Belief& belief) const;
 
   PseudorangeMixtureFilterParameters parameters_;
@@ -88,6 +102,7 @@ class PseudorangeMixtureFilter : public Estimator {
   double last_seeding_ = 0.0;
   double moved_ = 0.0;         ///< distance since the last epoch [m]
   double settled_over_ = 0.0;  ///< distance with one cluster left [m]
+  double agreement_ = 1.0;     ///< satellites found in line of sight over those expected, of some seconds
   bool aligned_ = false;
 };
 
