@@ -45,7 +45,7 @@ TEST(SpoiltDrive, FaultsCountFromTheStartOfTheDrive) {
     EXPECT_TRUE(fix.stamp < kStart + 1.99 || fix.stamp > kStart + 4.99);
   }
   EXPECT_EQ(out.fixes().size(), 21U - 6U);
-  EXPECT_EQ(out.odometry[19].speed, 1.0);
+  EXPECT_EQ(out.odometry[18].speed, 1.0) << "1.9 s after the start of the first increment";
   EXPECT_EQ(out.odometry[30].speed, 2.0);
 }
 

@@ -31,7 +31,7 @@ inline Observations healthy_robot() {
   Pose2 pose;  // in map as in odom
   for (std::uint32_t i = 1; i <= 2400; ++i) {
     const double stamp = 1000.0 + 0.05 * i;
-    const double yaw_rate = i % 1200 < 600 ? 0.21 : -0.21;
+    const double yaw_rate = i % 1200 < 600 ? 0.1 : -0.1;
     pose = pose * displacement({stamp, 0.05, 1.0, yaw_rate});
     nav_msgs::Odometry odometry;
     odometry.header.stamp = ros::Time(stamp);

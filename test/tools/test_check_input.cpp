@@ -17,6 +17,7 @@ TEST(CheckTopics, NamesTheOneTopicOfTheType) {
 TEST(CheckTopics, SayWhenATopicIsOfAnotherTypeOrNotThere) {
   Observations seen = healthy_robot();
   seen.types = {{"gps/fix", "sensor_msgs/NavSatStatus"}, {"odom", "nav_msgs/Odometry"}};
+  seen.fixes.clear();
   EXPECT_TRUE(
       ToFix(check_topics(seen), "is a sensor_msgs/NavSatStatus, not a", "publish sensor_msgs/NavSatFix"));
   seen.types.clear();

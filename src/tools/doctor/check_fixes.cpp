@@ -72,7 +72,7 @@ Findings check_declared_covariance(const Observations& seen) {
   if (unknown > 0) {
     return {fix(
         of_all(unknown, seen, text("declare no covariance; they count as %g m", node.default_sigma).c_str()),
-        "localization.yaml, fix: {default_sigma: S}, S as tune_from_bag has it")};
+        "localization.yaml, fix: {default_sigma: S}, S what fixes scatter by while the robot stands")};
   }
   const double first = declared_sigma(seen.fixes.front().message);
   const bool constant = seen.fixes.size() > 1 &&
@@ -102,20 +102,18 @@ Findings check_scatter(const Observations& seen) {
 }
 
 Findings check_frozen(const Observations& seen) {
-  const Motion motion = motion_of(seen);
-  double longest = 0.0, since = 0.0;
-  for (std::size_t i = 1; i < motion.fixes.size(); ++i) {
-    const GnssFix& now = motion.fixes[i];
-    if (now.position != motion.fixes[i - 1].position)
-      since = 0.0;
-    else if (since == 0.0)
-      since = motion.fixes[i - 1].stamp;
-    if (since == 0.0) continue;
-    const std::optional<double> from = motion.track.distance(since);
-    const std::optional<double> to = motion.track.distance(now.stamp);
+  if (seen.fixes.empty()) return {};
+  const OdometryTrack track = motion_of(seen).track;
+  double longest = 0.0;
+  const sensor_msgs::NavSatFix* first = nullptr;  // of those at one place
+  for (const auto& arrived : seen.fixes) {
+    const sensor_msgs::NavSatFix& now = arrived.message;
+    if (first == nullptr || now.latitude != first->latitude || now.longitude != first->longitude)
+      first = &now;
+    const std::optional<double> from = track.distance(first->header.stamp.toSec());
+    const std::optional<double> to = track.distance(now.header.stamp.toSec());
     if (from && to) longest = std::max(longest, *to - *from);
   }
-  if (motion.fixes.empty()) return {};
   const std::string what = text("fix: the same to the bit over %.1f m of way at most", longest);
   if (longest < kFrozenWay) return {pass(what)};
   return {fix(

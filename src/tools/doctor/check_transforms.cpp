@@ -126,7 +126,7 @@ Findings check_map_to_odom(const Observations& seen) {
     for (const std::string& node : nodes) {
       if (seen.from_bag) {
         found.push_back(fix(
-            edge + " is in the bag, by " + node + ", and will fight with ours",
+            edge + " is in the bag" + (node.empty() ? "" : ", by " + node) + ", and will fight with ours",
             "play it by bag.launch, which drops it: roslaunch multipath_localization bag.launch bag:=FILE"));
       } else if (seen.types.count(without_slash(node) + "/fix_report") == 0) {
         found.push_back(fix(edge + " is broadcast by " + node,
