@@ -126,7 +126,7 @@ TEST(ToDual, ReadsBothFixesWithTheirAntennas) {
   pair.right.header.stamp += ros::Duration(0.01);
   const CheckedDual checked = to_dual(pair, berlin(), FixParameters{}, {0.0, 0.5}, {0.0, -0.5});
   ASSERT_EQ(checked.reason, Reason::kAccepted);
-  EXPECT_EQ(checked.fix.stamp, 100.5) << "of the left one";
+  EXPECT_DOUBLE_EQ(checked.fix.stamp, 100.51) << "of the later one";
   EXPECT_EQ(checked.fix.left.antenna_in_base, Eigen::Vector2d(0.0, 0.5));
   EXPECT_EQ(checked.fix.right.antenna_in_base, Eigen::Vector2d(0.0, -0.5));
   EXPECT_NEAR((checked.fix.right.position - checked.fix.left.position).y(), 1.113, 0.001);
