@@ -24,14 +24,6 @@ double square(double x) { return x * x; }
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-template <class T>
-std::vector<T> selected(const std::vector<T>& values, const std::vector<std::size_t>& ancestors) {
-  std::vector<T> chosen(ancestors.size());
-  std::transform(ancestors.begin(), ancestors.end(), chosen.begin(),
-                 [&](std::size_t i) { return values[i]; });
-  return chosen;
-}
-
 }  // namespace
 
 FixParticleFilter::FixParticleFilter(const FixParticleFilterParameters& parameters, std::uint64_t seed)

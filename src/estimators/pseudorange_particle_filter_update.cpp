@@ -16,14 +16,6 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 double square(double x) { return x * x; }
 
-template <class T>
-std::vector<T> selected(const std::vector<T>& values, const std::vector<std::size_t>& ancestors) {
-  std::vector<T> chosen;
-  chosen.reserve(ancestors.size());
-  for (const std::size_t i : ancestors) chosen.push_back(values[i]);
-  return chosen;
-}
-
 /// log of the likelihood, Eqs. (11), (12) of [SUZ], up to a constant. Departs, unless "distance": Eq. (12)
 /// prints the normal density without the determinant of Sigma.
 double log_likelihood(const SubsetSolution& solution, const SubsetLikelihoodParameters& parameters) {

@@ -71,5 +71,10 @@ TEST(SystematicResampling, WeightlessSetsCountAsEqual) {
   EXPECT_TRUE(systematic_resampling({1.0}, 0, 0.5).empty());
 }
 
+TEST(Selected, IsTheValueOfEachAncestor) {
+  EXPECT_EQ(selected<double>({1.0, 2.0, 3.0}, {0, 2, 2}), (std::vector<double>{1.0, 3.0, 3.0}));
+  EXPECT_TRUE(selected<double>({1.0}, {}).empty());
+}
+
 }  // namespace
 }  // namespace multipath_localization

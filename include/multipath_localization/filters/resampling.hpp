@@ -12,4 +12,13 @@ namespace multipath_localization {
 std::vector<std::size_t> systematic_resampling(const std::vector<double>& weights, std::size_t count,
                                                double uniform);
 
+/// The values at `ancestors`, one for each.
+template <class T>
+std::vector<T> selected(const std::vector<T>& values, const std::vector<std::size_t>& ancestors) {
+  std::vector<T> chosen;
+  chosen.reserve(ancestors.size());
+  for (const std::size_t i : ancestors) chosen.push_back(values[i]);
+  return chosen;
+}
+
 }  // namespace multipath_localization
