@@ -72,9 +72,9 @@ PseudorangeParticleFilter::Sky PseudorangeParticleFilter::sky_of(const Pseudoran
   sky.antenna_in_base = epoch.antenna_in_base;
   const std::vector<double> by_signal = signal_weights(sky.observations);
   sky.weights = parameters_.weighting == "signal" ? by_signal : declared_weights(sky.observations);
-  sky.fix = robust_position(sky.observations, by_signal, parameters_.robust,
-                            particles_.empty() || !heights_known_ ? Eigen::Vector3d(0.0, 0.0, 0.0)
-                                                                  : mean_antenna(epoch.antenna_in_base));
+  sky.fix = one_sided_position(sky.observations, by_signal, parameters_.robust,
+                               particles_.empty() || !heights_known_ ? Eigen::Vector3d(0.0, 0.0, 0.0)
+                                                                     : mean_antenna(epoch.antenna_in_base));
   return sky;
 }
 

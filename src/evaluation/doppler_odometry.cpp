@@ -49,9 +49,9 @@ DopplerTrack doppler_track(const std::vector<PseudorangeEpoch>& epochs) {
   Eigen::Vector3d antenna = Eigen::Vector3d::Zero();
   double measured = 0.0;
   for (const PseudorangeEpoch& epoch : epochs) {
-    const auto position = solve_robustly(epoch.observations, antenna);
+    const auto position = robust_position(epoch.observations, antenna);
     if (position) antenna = position->position;
-    const auto doppler = solve_velocity(epoch.observations, antenna);
+    const auto doppler = doppler_velocity(epoch.observations, antenna);
     if (doppler) {
       measured = epoch.stamp;
       track.samples.push_back(

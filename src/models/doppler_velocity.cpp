@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "multipath_localization/models/cauchy_width.hpp"
 #include "multipath_localization/models/pseudorange.hpp"
 
 namespace multipath_localization {
@@ -11,7 +12,6 @@ namespace {
 
 constexpr int kFewest = 5;
 constexpr int kRounds = 20;
-constexpr double kCauchy = 2.385;
 constexpr double kPriorSigma = 0.1;  // [m/s]
 constexpr double kPriorCount = 4.0;
 constexpr double kWorstGeometry = 1e-6;  // least pivot of the normal matrix, relative to its trace
@@ -78,7 +78,7 @@ std::optional<Fit> fit(const std::vector<Row>& rows, const std::vector<double>& 
 std::vector<double> cauchy_weights(const std::vector<Row>& rows, const Fit& fitted) {
   std::vector<double> weights;
   for (const Row& row : rows) {
-    const double r = (row.value - row.row.dot(fitted.state)) / (row.sigma * fitted.sigma * kCauchy);
+    const double r = (row.value - row.row.dot(fitted.state)) / (row.sigma * fitted.sigma * kCauchyWidth);
     weights.push_back(1.0 / (1.0 + r * r));
   }
   return weights;
@@ -86,8 +86,8 @@ std::vector<double> cauchy_weights(const std::vector<Row>& rows, const Fit& fitt
 
 }  // namespace
 
-std::optional<DopplerVelocity> solve_velocity(const std::vector<SatelliteObservation>& observations,
-                                              const Eigen::Vector3d& antenna) {
+std::optional<DopplerVelocity> doppler_velocity(const std::vector<SatelliteObservation>& observations,
+                                                const Eigen::Vector3d& antenna) {
   const std::vector<Row> rows = rows_of(observations, antenna);
   if (static_cast<int>(rows.size()) < kFewest) return std::nullopt;
   std::optional<Fit> fitted = fit(rows, std::vector<double>(rows.size(), 1.0));
@@ -96,8 +96,6 @@ std::optional<DopplerVelocity> solve_velocity(const std::vector<SatelliteObserva
   DopplerVelocity result;
   result.velocity = fitted->state.head<3>();
   result.covariance = fitted->sigma * fitted->sigma * fitted->covariance.topLeftCorner<3, 3>();
-  result.clock_drift = fitted->state(3);
-  result.used = static_cast<int>(rows.size());
   return result;
 }
 

@@ -176,7 +176,7 @@ int LosSubset::unknowns() const {
 }
 
 std::optional<Eigen::Vector3d> LosSubset::velocity(double tolerance) const {
-  return doppler_velocity(observations_, directions_, selected_weights_, tolerance);
+  return weighted_velocity(observations_, directions_, selected_weights_, tolerance);
 }
 
 std::optional<LosSubset::ClockResidual> LosSubset::clock_residual(Constellation constellation) const {

@@ -31,16 +31,16 @@ std::vector<double> without_absurd(const std::vector<SatelliteObservation>& obse
 
 }  // namespace
 
-void RobustPositionParameters::fields(ParameterVisitor& field) {
+void OneSidedPositionParameters::fields(ParameterVisitor& field) {
   field("late_tolerance", late_tolerance, {0.1, 1e3}, "m",
         "a pseudorange this much too long counts half in the robust fix");
   field("early_tolerance", early_tolerance, {0.1, 1e3}, "m", "likewise one this much too short");
 }
 
-std::optional<PseudorangeSolution> robust_position(const std::vector<SatelliteObservation>& observations,
-                                                   const std::vector<double>& weights,
-                                                   const RobustPositionParameters& parameters,
-                                                   const Eigen::Vector3d& start) {
+std::optional<PseudorangeSolution> one_sided_position(const std::vector<SatelliteObservation>& observations,
+                                                      const std::vector<double>& weights,
+                                                      const OneSidedPositionParameters& parameters,
+                                                      const Eigen::Vector3d& start) {
   const std::vector<double> usable = without_absurd(observations, weights, start);
   auto solution = solve_position(observations, usable, start);
   std::vector<double> reweighted(usable);

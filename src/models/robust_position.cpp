@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/models/cauchy_width.hpp"
+
 namespace multipath_localization {
 
 namespace {
 
-constexpr double kCauchy = 2.385;  // 95 % of the efficiency of least squares where errors are normal
 constexpr double kMedianOfNormal = 0.6745;
 constexpr int kRounds = 50;
 constexpr double kSettled = 1e-3;  // [m]
@@ -24,7 +25,7 @@ std::vector<double> cauchy_weights(const std::vector<SatelliteObservation>& obse
   for (std::size_t i = 0; i < normalised.size(); ++i) {
     normalised[i] = std::abs(normalised[i]) / observations[i].sigma;
   }
-  const double scale = kCauchy * std::max(1.0, median(normalised) / kMedianOfNormal);
+  const double scale = kCauchyWidth * std::max(1.0, median(normalised) / kMedianOfNormal);
   std::vector<double> weights = declared_weights(observations);
   for (std::size_t i = 0; i < weights.size(); ++i) {
     weights[i] /= 1.0 + (normalised[i] / scale) * (normalised[i] / scale);
@@ -34,8 +35,8 @@ std::vector<double> cauchy_weights(const std::vector<SatelliteObservation>& obse
 
 }  // namespace
 
-std::optional<PseudorangeSolution> solve_robustly(const std::vector<SatelliteObservation>& observations,
-                                                  const Eigen::Vector3d& start) {
+std::optional<PseudorangeSolution> robust_position(const std::vector<SatelliteObservation>& observations,
+                                                   const Eigen::Vector3d& start) {
   auto solution = solve_position(observations, declared_weights(observations), start);
   for (int round = 0; round < kRounds && solution; ++round) {
     const Eigen::Vector3d before = solution->position;

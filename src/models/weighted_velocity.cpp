@@ -77,9 +77,9 @@ std::optional<Motion> solved(NormalEquations equations) {
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> doppler_velocity(const std::vector<SatelliteObservation>& observations,
-                                                const std::vector<Eigen::Vector3d>& directions,
-                                                const std::vector<double>& weights, double tolerance) {
+std::optional<Eigen::Vector3d> weighted_velocity(const std::vector<SatelliteObservation>& observations,
+                                                 const std::vector<Eigen::Vector3d>& directions,
+                                                 const std::vector<double>& weights, double tolerance) {
   auto motion = solved(normal_equations(observations, directions, weights, tolerance, std::nullopt));
   const int reweightings = tolerance > 0.0 ? kReweightings : 0;
   for (int i = 0; i < reweightings && motion; ++i) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/core/angle.hpp"
-
 namespace multipath_localization {
 
 namespace {
@@ -36,7 +34,7 @@ double klobuchar_delay(const KlobucharCoefficients& ionosphere, const Geodetic& 
       antenna.longitude_deg / 180.0 + psi * std::sin(satellite.azimuth) / std::cos(phi * kPi);
   const double geomagnetic = phi + 0.064 * std::cos((lambda - 1.617) * kPi);
   const double local = 43200.0 * lambda + time.second;
-  const double local_time = local - 86400.0 * std::floor(local / 86400.0);
+  const double local_time = local - kSecondsOfDay * std::floor(local / kSecondsOfDay);
   const double slant = 1.0 + 16.0 * std::pow(0.53 - E, 3);
   const double amplitude = std::max(polynomial(ionosphere.alpha, geomagnetic), 0.0);
   const double period = std::max(polynomial(ionosphere.beta, geomagnetic), 72000.0);
@@ -55,7 +53,7 @@ double saastamoinen_delay(const Geodetic& antenna, double elevation) {
   const double dry = 0.0022768 * pressure /
                      (1.0 - 0.00266 * std::cos(2.0 * antenna.latitude_deg * kDegree) - 2.8e-7 * height);
   const double wet = 0.002277 * (1255.0 / temperature + 0.05) * vapour;
-  return (dry + wet) / std::sin(std::max(elevation, 3.0 * kDegree));
+  return (dry + wet) / std::sin(std::max(elevation, kLowestElevation));
 }
 
 }  // namespace multipath_localization

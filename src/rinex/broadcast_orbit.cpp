@@ -17,11 +17,11 @@ using Eigen::Vector3d;
 
 double gravitation(Constellation constellation) {
   const bool as_gps = constellation == Constellation::kGps || constellation == Constellation::kQzss;
-  return as_gps ? 3.986005e14 : 3.986004418e14;
+  return as_gps ? 3.986005e14 : kEarthGravitation;
 }
 
 double rotation_rate(Constellation constellation) {
-  return constellation == Constellation::kBeidou ? 7.292115e-5 : kEarthRotationRate;
+  return constellation == Constellation::kBeidou ? kRoundedEarthRotationRate : kEarthRotationRate;
 }
 
 double eccentric_anomaly(double mean_anomaly, double eccentricity) {
@@ -94,7 +94,22 @@ void place(const BroadcastOrbit& orbit, const Anomaly& E, double time, Satellite
   state.velocity = upright * state.velocity - earth_rate * Vector3d::UnitZ().cross(state.position);
 }
 
+bool within(double value, double low, double high) { return value >= low && value <= high; }
+
+bool possible_clock(const BroadcastOrbit& orbit) {
+  const Vector3d& a = orbit.clock_polynomial;
+  return std::abs(a(0)) < 0.1 && std::abs(a(1)) < 1e-6 && std::abs(a(2)) < 1e-12 &&
+         std::abs(orbit.group_delay) < 1e-3 &&
+         std::abs(orbit.reference - orbit.clock_reference) <= kSecondsOfDay;
+}
+
 }  // namespace
+
+bool possible(const BroadcastOrbit& orbit) {
+  return within(orbit.eccentricity, 0.0, 0.5) && within(orbit.root_axis, 4000.0, 8000.0) &&
+         within(orbit.toe, 0.0, kSecondsOfWeek) && std::abs(orbit.mean_motion_difference) < 1e-3 &&
+         possible_clock(orbit);
+}
 
 bool geostationary(const SatelliteId& satellite) {
   return satellite.constellation == Constellation::kBeidou &&

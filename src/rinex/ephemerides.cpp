@@ -10,7 +10,6 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kL1 = 1575.42e6;                                                                    // [Hz]
 constexpr double kB1I = 1561.098e6;                                                                  // [Hz]
 constexpr double kGlonassL1 = 1602.0e6;                                                              // [Hz]
 constexpr double kGlonassStep = 562.5e3;                                                             // [Hz]
@@ -24,6 +23,10 @@ double distance(const Ephemeris& ephemeris, const GnssTime& time) {
   return std::abs(std::visit([&](const auto& e) { return e.reference - time; }, ephemeris));
 }
 
+std::optional<double> sent(const Ephemeris& ephemeris) {
+  return std::visit([](const auto& e) { return e.sent; }, ephemeris);
+}
+
 bool healthy(const Ephemeris& ephemeris) {
   return std::visit([](const auto& e) { return e.healthy; }, ephemeris);
 }
@@ -34,11 +37,15 @@ SatelliteState satellite_state(const Ephemeris& ephemeris, const GnssTime& time)
   return std::visit([&](const auto& e) { return satellite_state(e, time); }, ephemeris);
 }
 
+bool possible(const Ephemeris& ephemeris) {
+  return std::visit([](const auto& e) { return possible(e); }, ephemeris);
+}
+
 double carrier_frequency(const Ephemeris& ephemeris) {
   if (const auto* glonass = std::get_if<GlonassOrbit>(&ephemeris)) {
     return kGlonassL1 + glonass->channel * kGlonassStep;
   }
-  return satellite_of(ephemeris).constellation == Constellation::kBeidou ? kB1I : kL1;
+  return satellite_of(ephemeris).constellation == Constellation::kBeidou ? kB1I : kL1Frequency;
 }
 
 double group_delay(const Ephemeris& ephemeris) {
@@ -53,9 +60,13 @@ void Ephemerides::add(const Ephemeris& ephemeris) {
 const Ephemeris* Ephemerides::find(const SatelliteId& satellite, const GnssTime& time) const {
   const auto known = by_satellite_.find(satellite);
   if (known == by_satellite_.end()) return nullptr;
-  const auto nearest = std::min_element(
-      known->second.begin(), known->second.end(),
-      [&](const Ephemeris& a, const Ephemeris& b) { return distance(a, time) < distance(b, time); });
+  // Of two that are as good as each other min_element takes the first: they are gone through from the last.
+  const auto nearest = std::min_element(known->second.rbegin(), known->second.rend(),
+                                        [&](const Ephemeris& a, const Ephemeris& b) {
+                                          const double left = distance(a, time);
+                                          const double right = distance(b, time);
+                                          return left < right || (left == right && sent(a) > sent(b));
+                                        });
   const double usable = kUsable.at(static_cast<std::size_t>(satellite.constellation));
   return healthy(*nearest) && distance(*nearest, time) <= usable ? &*nearest : nullptr;
 }

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/geodesy.hpp"
+
 namespace multipath_localization {
 
 namespace {
 
-constexpr double kGravitation = 3.986004418e14;  // [m^3/s^2]
-constexpr double kEarthRadius = 6378136.0;       // [m]
-constexpr double kFlattening = 1.0826257e-3;     // J_2
-constexpr double kRotationRate = 7.292115e-5;    // [rad/s]
-constexpr double kLongestStep = 60.0;            // [s]
+constexpr double kEarthRadius = 6378136.0;    // [m]
+constexpr double kFlattening = 1.0826257e-3;  // J_2
+constexpr double kRotationRate = kRoundedEarthRotationRate;
+constexpr double kLongestStep = 60.0;  // [s]
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;  // position, velocity
 
@@ -20,7 +21,7 @@ Vector6 derivative(const Vector6& state, const Eigen::Vector3d& sun_and_moon) {
   const Eigen::Vector3d r = state.head<3>();
   const Eigen::Vector3d v = state.tail<3>();
   const double square = r.squaredNorm();
-  const double attraction = kGravitation / (square * std::sqrt(square));
+  const double attraction = kEarthGravitation / (square * std::sqrt(square));
   const double oblateness = 1.5 * kFlattening * attraction * kEarthRadius * kEarthRadius / square;
   const double slope = 5.0 * r.z() * r.z() / square;
   const double centrifugal = kRotationRate * kRotationRate;
@@ -42,6 +43,13 @@ Vector6 stepped(const Vector6& state, const Eigen::Vector3d& sun_and_moon, doubl
 }
 
 }  // namespace
+
+bool possible(const GlonassOrbit& orbit) {
+  const double radius = orbit.position.norm();
+  return radius >= 2e7 && radius <= 3e7 && orbit.velocity.norm() < 1e4 && orbit.acceleration.norm() < 1e-3 &&
+         std::abs(orbit.clock) < 0.1 && std::abs(orbit.clock_drift) < 1e-6 && orbit.channel >= -7 &&
+         orbit.channel <= 13;
+}
 
 SatelliteState satellite_state(const GlonassOrbit& orbit, const GnssTime& time) {
   const double since = time - orbit.reference;

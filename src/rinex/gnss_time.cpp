@@ -46,7 +46,7 @@ int days_since_1970(int year, int month, int day) {
 GnssTime as_it_reads(const CalendarTime& time) {
   const int days = days_since_1970(time.year, time.month, time.day) - kDaysToGpsEpoch;
   const int week = days / 7;
-  return GnssTime{week, 86400.0 * (days - 7 * week)} +
+  return GnssTime{week, kSecondsOfDay * (days - 7 * week)} +
          (3600.0 * time.hour + 60.0 * time.minute + time.second);
 }
 
@@ -68,7 +68,9 @@ bool exists(const CalendarTime& time) {
 GnssTime operator+(const GnssTime& time, double seconds) {
   const double second = time.second + seconds;
   const double weeks = std::floor(second / kSecondsOfWeek);
-  return {time.week + static_cast<int>(weeks), second - weeks * kSecondsOfWeek};
+  const GnssTime sum = {time.week + static_cast<int>(weeks), second - weeks * kSecondsOfWeek};
+  // A hair before the week begins is its beginning, rounded.
+  return sum.second < kSecondsOfWeek ? sum : GnssTime{sum.week + 1, 0.0};
 }
 
 double operator-(const GnssTime& a, const GnssTime& b) {

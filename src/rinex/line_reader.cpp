@@ -17,15 +17,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Up to the newline or one more character than a line may have: no file makes this read a gigabyte.
-bool read_line(std::istream& in, std::string& line) {
+/// With its newline, which the last line may lack; up to one more character than a line may have: no file
+/// makes this read a gigabyte.
+void read_line(std::istream& in, std::string& line) {
   line.clear();
   for (int c = in.get(); c != std::istream::traits_type::eof(); c = in.get()) {
-    if (c == '\n') return true;
     line += static_cast<char>(c);
-    if (line.size() > kLongestLine) return true;
+    if (c == '\n' || line.size() > kLongestLine) return;
   }
-  return !line.empty();
 }
 
 }  // namespace
@@ -41,15 +40,19 @@ bool LineReader::next() {
     kept_ = false;
     return true;
   }
-  if (!read_line(in_, line_)) return false;
+  read_line(in_, line_);
+  if (in_.bad()) throw error("cannot be read beyond this line");
+  if (line_.empty()) return false;
   ++number_;
   if (line_.size() > kLongestLine) throw error("a line of over 20000 characters");
+  if (line_.back() != '\n') throw UnexpectedEnd(error("the file ends within this line"));
+  line_.pop_back();
   if (!line_.empty() && line_.back() == '\r') line_.pop_back();
   return true;
 }
 
 void LineReader::require_next(const char* within) {
-  if (!next()) throw error(std::string("the file ends within ") + within);
+  if (!next()) throw UnexpectedEnd(error(std::string("the file ends within ") + within));
 }
 
 std::string_view LineReader::columns(std::size_t first, std::size_t width) const {

@@ -14,16 +14,10 @@ std::optional<Constellation> constellation_of_type(char type) {
   return std::nullopt;
 }
 
-/// One system's coefficients as the header gives them, in two lines.
-struct IonosphereLines {
-  KlobucharCoefficients coefficients;
-  int lines = 0;
-
-  /// Nothing but zeros is a receiver's way to say that it has none.
-  [[nodiscard]] bool complete() const {
-    return lines == 2 && !coefficients.alpha.isZero() && !coefficients.beta.isZero();
-  }
-};
+/// Nothing but zeros is a receiver's way to say that it has none.
+bool complete(const KlobucharCoefficients& ionosphere) {
+  return !ionosphere.alpha.isZero() && !ionosphere.beta.isZero();
+}
 
 class NavigationReader {
  public:
@@ -37,13 +31,15 @@ class NavigationReader {
     for (in_.require_next("its header"); in_.label() != "END OF HEADER"; in_.require_next("its header")) {
       read_header_line();
     }
-    for (const IonosphereLines* ionosphere : {&gps_, &qzss_}) {
-      if (!navigation_.ionosphere && ionosphere->complete()) {
-        navigation_.ionosphere = ionosphere->coefficients;
-      }
+    for (const KlobucharCoefficients& ionosphere : {gps_, qzss_}) {
+      if (!navigation_.ionosphere && complete(ionosphere)) navigation_.ionosphere = ionosphere;
     }
-    while (in_.next()) {
-      if (!in_.text(0, 80).empty()) read_message();
+    try {
+      while (in_.next()) {
+        if (!in_.text(0, 80).empty()) read_message();
+      }
+    } catch (const UnexpectedEnd& end) {
+      navigation_.left_out.emplace_back(end.what());
     }
   }
 
@@ -52,19 +48,20 @@ class NavigationReader {
     const std::string label = in_.label();
     if (label == "LEAP SECONDS" && in_.text(24, 3) != "BDS") leap_seconds_ = in_.integer(0, 6);
     const std::string name = label == "IONOSPHERIC CORR" ? in_.text(0, 4) : label;
-    if (name == "ION ALPHA") read_coefficients(2, gps_.coefficients.alpha, gps_);
-    if (name == "ION BETA") read_coefficients(2, gps_.coefficients.beta, gps_);
-    if (name == "GPSA") read_coefficients(5, gps_.coefficients.alpha, gps_);
-    if (name == "GPSB") read_coefficients(5, gps_.coefficients.beta, gps_);
-    if (name == "QZSA") read_coefficients(5, qzss_.coefficients.alpha, qzss_);
-    if (name == "QZSB") read_coefficients(5, qzss_.coefficients.beta, qzss_);
+    if (name == "ION ALPHA") gps_.alpha = coefficients(2);
+    if (name == "ION BETA") gps_.beta = coefficients(2);
+    if (name == "GPSA") gps_.alpha = coefficients(5);
+    if (name == "GPSB") gps_.beta = coefficients(5);
+    if (name == "QZSA") qzss_.alpha = coefficients(5);
+    if (name == "QZSB") qzss_.beta = coefficients(5);
   }
 
-  void read_coefficients(std::size_t first, Eigen::Vector4d& coefficients, IonosphereLines& of) const {
+  [[nodiscard]] Eigen::Vector4d coefficients(std::size_t first) const {
+    Eigen::Vector4d all;
     for (std::size_t i = 0; i < 4; ++i) {
-      coefficients(static_cast<Eigen::Index>(i)) = in_.number(first + 12 * i, 12).value_or(0.0);
+      all(static_cast<Eigen::Index>(i)) = in_.number(first + 12 * i, 12).value_or(0.0);
     }
-    ++of.lines;
+    return all;
   }
 
   /// SBAS and NavIC.
@@ -73,16 +70,29 @@ class NavigationReader {
     return !kind_.version_2() && (letter == 'S' || letter == 'I');
   }
 
+  /// A message that cannot be used is left out to its last line.
   void read_message() {
-    if (passed_over()) {
-      while (next_is_continuation()) {
-      }
-      return;
-    }
     const auto constellation = kind_.version_2() ? constellation_of_type(kind_.type) : std::nullopt;
-    NavigationMessage message(in_, constellation);
-    while (message.lines() < NavigationMessage::kMostLines && next_is_continuation()) message.add_line(in_);
-    navigation_.ephemerides.add(message.ephemeris(in_, leap_seconds_));
+    std::optional<NavigationMessage> message;
+    if (!passed_over()) attempt(message, [&] { message.emplace(in_, constellation); });
+    while (next_is_continuation()) {
+      if (message) attempt(message, [&] { message->add_line(in_); });
+    }
+    if (message) attempt(message, [&] { add(message->ephemeris(in_, leap_seconds_)); });
+  }
+
+  template <class Step>
+  void attempt(std::optional<NavigationMessage>& message, const Step& step) {
+    try {
+      step();
+    } catch (const RinexError& error) {
+      navigation_.left_out.emplace_back(error.what());
+      message.reset();
+    }
+  }
+
+  void add(const std::optional<Ephemeris>& ephemeris) {
+    if (ephemeris) navigation_.ephemerides.add(*ephemeris);
   }
 
   bool next_is_continuation() {
@@ -96,8 +106,8 @@ class NavigationReader {
   FileKind kind_;
   Navigation& navigation_;
   std::optional<int> leap_seconds_;
-  IonosphereLines gps_;
-  IonosphereLines qzss_;
+  KlobucharCoefficients gps_;
+  KlobucharCoefficients qzss_;
 };
 
 }  // namespace

@@ -16,20 +16,23 @@ using Eigen::Vector3d;
 /// A word of flags that RINEX prints as a number.
 int flags(double number) { return std::abs(number) < 1e6 ? static_cast<int>(number) : -1; }
 
-bool within(double value, double low, double high) { return value >= low && value <= high; }
-
-/// What no satellite's message holds, and what keeps everything computed from it finite.
-bool possible(const BroadcastOrbit& orbit) {
-  return within(orbit.eccentricity, 0.0, 0.5) && within(orbit.root_axis, 4000.0, 8000.0) &&
-         within(orbit.toe, 0.0, kSecondsOfWeek) && orbit.clock_polynomial.cwiseAbs().maxCoeff() < 1.0 &&
-         std::abs(orbit.mean_motion_difference) < 1e-3 && std::abs(orbit.group_delay) < 1e-3;
+/// Some writers print a channel below zero as the byte that holds it.
+int channel_of(double number) {
+  const int channel = static_cast<int>(std::clamp(number, -1000.0, 1000.0));
+  return channel > 128 ? channel - 256 : channel;
 }
 
-bool possible(const GlonassOrbit& orbit) {
-  return within(orbit.position.norm(), 2e7, 3e7) && orbit.velocity.norm() < 1e4 &&
-         orbit.acceleration.norm() < 1e-3 && std::abs(orbit.clock) < 1.0 &&
-         std::abs(orbit.clock_drift) < 1e-3 && within(orbit.channel, -7, 13);
+/// How long after the reference, at `reference` on the same scale, a message left. Writers that do not know
+/// print 0.9999e9 [s].
+std::optional<double> sent_after(std::optional<double> transmission, double reference, double period) {
+  if (!transmission || std::abs(*transmission) > 2.0 * kSecondsOfWeek) return std::nullopt;
+  return std::remainder(*transmission - reference, period);
 }
+
+/// Galileo's data sources, by their bits.
+constexpr int kINav = 0b101;          // of E1-B and E5b-I
+constexpr int kFNav = 0b10;           // of E5a-I
+constexpr int kClockOfFNav = 1 << 8;  // of E1 with E5a, without it with E5b
 
 }  // namespace
 
@@ -43,6 +46,7 @@ NavigationMessage::NavigationMessage(const LineReader& in, std::optional<Constel
 }
 
 void NavigationMessage::add_line(const LineReader& in) {
+  if (lines_ == kMostLines) throw in.error("a message of over " + std::to_string(kMostLines) + " lines");
   const std::size_t indentation = version_2_ ? 3 : 4;
   for (std::size_t i = lines_ == 0 ? 1 : 0; i < 4; ++i) {
     numbers_.at(lines_)[i] = in.number(indentation + kNumberWidth * i, kNumberWidth);
@@ -50,14 +54,19 @@ void NavigationMessage::add_line(const LineReader& in) {
   ++lines_;
 }
 
-Ephemeris NavigationMessage::ephemeris(const LineReader& in, std::optional<int> leap_seconds) const {
+std::optional<Ephemeris> NavigationMessage::ephemeris(const LineReader& in,
+                                                      std::optional<int> leap_seconds) const {
   const bool glonass = satellite_.constellation == Constellation::kGlonass;
   const bool complete =
       glonass ? lines_ == kGlonassLines || lines_ == kGlonassLines + 1 : lines_ == kMostLines;
   if (!complete) throw in.error("the message that ends here has " + std::to_string(lines_) + " lines");
   if (glonass) return glonass_orbit(in, leap_seconds);
+  const bool of_e5a_alone = (data_sources() & (kINav | kFNav)) == kFNav;
+  if (satellite_.constellation == Constellation::kGalileo && of_e5a_alone) return std::nullopt;
   return broadcast_orbit(in);
 }
+
+int NavigationMessage::data_sources() const { return flags(numbers_[5][1].value_or(0.0)); }
 
 GlonassOrbit NavigationMessage::glonass_orbit(const LineReader& in, std::optional<int> leap_seconds) const {
   const auto reference = gps_time(time_, TimeScale::kUtc, leap_seconds);
@@ -74,7 +83,9 @@ GlonassOrbit NavigationMessage::glonass_orbit(const LineReader& in, std::optiona
   orbit.velocity = vector(1);
   orbit.acceleration = vector(2);
   orbit.healthy = at(in, 1, 3) == 0.0;
-  orbit.channel = static_cast<int>(std::clamp(at(in, 2, 3), -100.0, 100.0));
+  orbit.channel = channel_of(at(in, 2, 3));
+  // The second of the day in version 2, of the week in version 3.
+  orbit.sent = sent_after(numbers_[0][3], gps_time(time_, TimeScale::kGps)->second, kSecondsOfDay);
   if (!possible(orbit)) throw in.error("the message that ends here is of no orbit of GLONASS");
   return orbit;
 }
@@ -107,10 +118,9 @@ BroadcastOrbit NavigationMessage::broadcast_orbit(const LineReader& in) const {
   orbit.perigee = get(4, 2);
   orbit.node_rate = get(4, 3);
   orbit.inclination_rate = get(5, 0);
-  // Galileo: F/NAV's clock (bit 1 of the data sources) is that of E5a and E1, I/NAV's that of E5b and E1.
   const bool galileo = satellite_.constellation == Constellation::kGalileo;
-  const bool i_nav = galileo && (flags(numbers_[5][1].value_or(0.0)) & 2) == 0;
-  orbit.group_delay = get(6, i_nav ? 3 : 2);
+  orbit.group_delay = get(6, galileo && (data_sources() & kClockOfFNav) == 0 ? 3 : 2);
+  orbit.sent = sent_after(numbers_[7][0], orbit.toe, kSecondsOfWeek);
   if (!possible(orbit)) throw in.error("the message that ends here is of no navigation satellite's orbit");
   return orbit;
 }
@@ -125,7 +135,7 @@ double NavigationMessage::at(const LineReader& in, std::size_t line, std::size_t
 bool NavigationMessage::healthy(const LineReader& in) const {
   const int health = flags(at(in, 6, 1));
   switch (satellite_.constellation) {
-    case Constellation::kGalileo: return (health & 7) == 0 && at(in, 6, 0) >= 0.0;  // E1-B's; accuracy
+    case Constellation::kGalileo: return (health & 7) == 0 && at(in, 6, 0) >= 0.0;  // I/NAV's E1-B; accuracy
     case Constellation::kQzss: return (health & 0x3e) == 0;  // all but L1C/B, the lowest bit
     default: return health == 0;
   }

@@ -98,11 +98,15 @@ class ObservationReader {
     header_.check(in_);
   }
 
-  std::vector<RawEpoch> read() {
-    while (in_.next()) {
-      if (!in_.text(0, 80).empty()) read_record();
+  ObservationLog read() {
+    try {
+      while (in_.next()) {
+        if (!in_.text(0, 80).empty()) read_record();
+      }
+    } catch (const UnexpectedEnd& end) {
+      log_.left_out.emplace_back(end.what());
     }
-    return std::move(epochs_);
+    return std::move(log_);
   }
 
  private:
@@ -129,12 +133,17 @@ class ObservationReader {
       return;
     }
     RawEpoch epoch;
-    if (!slips) epoch.time = time();
+    bool later = true;
+    if (!slips) {
+      epoch.time = time();
+      later = log_.epochs.empty() || epoch.time - log_.epochs.back().time > 0.0;
+      if (!later) log_.left_out.emplace_back(in_.error("time does not increase").what());
+    }
     const std::vector<std::string> names = listed_satellites(version_2_ ? line.count : 0);
     for (int i = 0; i < line.count; ++i) {
       read_satellite(version_2_ ? names[static_cast<std::size_t>(i)] : "", epoch);
     }
-    if (!slips) epochs_.push_back(std::move(epoch));
+    if (!slips && later) log_.epochs.push_back(std::move(epoch));
   }
 
   /// Lines of the header's kind, which may change the types.
@@ -150,7 +159,6 @@ class ObservationReader {
     const CalendarTime read = version_2_ ? calendar_time(in_, 1, 2, 11) : calendar_time(in_, 2, 4, 11);
     const std::optional<GnssTime> time = gps_time(read, header_.time_scale(), header_.leap_seconds());
     if (!time) throw in_.error("no such date and time");
-    if (!epochs_.empty() && *time - epochs_.back().time <= 0.0) throw in_.error("time does not increase");
     return *time;
   }
 
@@ -216,11 +224,11 @@ class ObservationReader {
   FileKind kind_;
   bool version_2_;
   ObservationHeader header_;
-  std::vector<RawEpoch> epochs_;
+  ObservationLog log_;
 };
 
 }  // namespace
 
-std::vector<RawEpoch> read_observations(const std::string& file) { return ObservationReader(file).read(); }
+ObservationLog read_observations(const std::string& file) { return ObservationReader(file).read(); }
 
 }  // namespace multipath_localization

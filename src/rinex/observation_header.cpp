@@ -56,12 +56,15 @@ void ObservationHeader::begin_types(const LineReader& in) {
 }
 
 void ObservationHeader::read_scale(const LineReader& in) {
-  const double factor = in.integer(2, 4);
-  if (!(factor > 0.0)) throw in.error("a scale factor that is not above 0");
-  std::map<std::string, double>& scales = scales_[letter(in)];
   const std::vector<std::string> types = words(in, 10, 4);
-  if (types.empty()) scales[""] = factor;
-  for (const std::string& type : types) scales[type] = factor;
+  if (!in.text(0, 10).empty()) {
+    scaled_system_ = letter(in);
+    scale_ = in.integer(2, 4);
+    if (!(scale_ > 0.0)) throw in.error("a scale factor that is not above 0");
+    if (types.empty()) scales_[scaled_system_][""] = scale_;
+  }
+  if (scale_ == 0.0) throw in.error("a continuation of no scale factor");
+  for (const std::string& type : types) scales_[scaled_system_][type] = scale_;
 }
 
 void ObservationHeader::read_time_scale(const LineReader& in) {

@@ -1,7 +1,5 @@
 #include "multipath_localization/rinex/point_positioning.hpp"
 
-#include <cmath>
-
 #include "multipath_localization/models/robust_position.hpp"
 
 namespace multipath_localization {
@@ -12,16 +10,19 @@ constexpr double kNear = 1e3;        // [m]
 constexpr double kLowestFix = -1e4;  // over the ellipsoid [m]
 constexpr double kHighestFix = 1e5;
 
+bool on_earth(const Geodetic& antenna) {
+  return antenna.altitude > kLowestFix && antenna.altitude < kHighestFix && valid(antenna);
+}
+
 std::optional<PointFix> located(const LocalFrame& map, const std::optional<PseudorangeSolution>& solution) {
   if (!solution) return std::nullopt;
   const Eigen::Vector3d& position = solution->position;
   const PointFix fix{map.to_geodetic(position.head<2>(), position.z()), *solution};
-  const bool on_earth = fix.antenna.altitude > kLowestFix && fix.antenna.altitude < kHighestFix;
-  return on_earth && valid(fix.antenna) ? std::optional(fix) : std::nullopt;
+  return on_earth(fix.antenna) ? std::optional(fix) : std::nullopt;
 }
 
 /// Where nothing is known: without atmosphere, all satellites alike.
-std::optional<Geodetic> cold_start(const std::vector<TrackedSatellite>& satellites) {
+std::optional<Geodetic> rough_position(const std::vector<TrackedSatellite>& satellites) {
   const LocalFrame anywhere(Geodetic{});
   std::vector<SatelliteObservation> observations;
   for (const TrackedSatellite& tracked : satellites) {
@@ -32,8 +33,7 @@ std::optional<Geodetic> cold_start(const std::vector<TrackedSatellite>& satellit
     observations.push_back(observation);
   }
   const std::optional<Geodetic> antenna = solve_geodetic(observations, anywhere);
-  const bool usable = antenna && valid(*antenna) && std::isfinite(antenna->altitude);
-  return usable ? antenna : std::nullopt;
+  return antenna && on_earth(*antenna) ? antenna : std::nullopt;
 }
 
 bool far_from_origin(const std::optional<PointFix>& fix) {
@@ -48,9 +48,8 @@ std::optional<CorrectedEpoch> PointPositioning::correct(const RawEpoch& raw) {
   std::optional<CorrectedEpoch> epoch;
   if (antenna_) epoch = corrected(satellites, raw.time, *antenna_);
   if (!epoch || far_from_origin(epoch->robust)) {
-    const std::optional<Geodetic> found = cold_start(satellites);
-    if (found) epoch = corrected(satellites, raw.time, *found);
-    if (found && epoch->robust) epoch = corrected(satellites, raw.time, epoch->robust->antenna);
+    const std::optional<CorrectedEpoch> anew = cold_start(satellites, raw.time);
+    if (anew) epoch = anew;
   }
   if (!epoch || epoch->satellites.empty()) return std::nullopt;
   if (epoch->robust) antenna_ = epoch->robust->antenna;
@@ -67,6 +66,16 @@ std::vector<TrackedSatellite> PointPositioning::tracked(const RawEpoch& raw) con
   return all;
 }
 
+std::optional<CorrectedEpoch> PointPositioning::cold_start(const std::vector<TrackedSatellite>& satellites,
+                                                           const GnssTime& time) const {
+  const std::optional<Geodetic> rough = rough_position(satellites);
+  if (!rough) return std::nullopt;
+  const CorrectedEpoch nearer = corrected(satellites, time, *rough);
+  if (!nearer.robust) return std::nullopt;
+  CorrectedEpoch epoch = corrected(satellites, time, nearer.robust->antenna);
+  return epoch.robust ? std::optional(epoch) : std::nullopt;
+}
+
 CorrectedEpoch PointPositioning::corrected(const std::vector<TrackedSatellite>& satellites,
                                            const GnssTime& time, const Geodetic& antenna) const {
   const LocalFrame map(antenna);
@@ -81,7 +90,7 @@ CorrectedEpoch PointPositioning::corrected(const std::vector<TrackedSatellite>& 
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   epoch.plain =
       located(map, solve_position(epoch.observations, declared_weights(epoch.observations), origin));
-  epoch.robust = located(map, solve_robustly(epoch.observations, origin));
+  epoch.robust = located(map, robust_position(epoch.observations, origin));
   return epoch;
 }
 

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/core/angle.hpp"
-
 namespace multipath_localization {
 
 namespace {
 
-constexpr double kL1 = 1575.42e6;         // [Hz]
 constexpr double kLongestFlight = 1.0;    // [s], with a receiver's clock error
 constexpr double kNearestOrbit = 1.5e7;   // from the Earth's centre [m]
 constexpr double kFarthestOrbit = 6e7;    // [m]
@@ -17,7 +14,6 @@ constexpr double kAtmosphereSigma = 0.8;  // at the zenith [m]
 constexpr double kCodeSigma = 1.0;        // at kGoodCn0 [m]
 constexpr double kGoodCn0 = 45.0;         // [dB-Hz]
 constexpr double kUnknownCn0 = 38.0;      // [dB-Hz]
-constexpr double kLowestElevation = 3.0 * kPi / 180.0;
 
 bool possible(const SatelliteState& state) {
   const double radius = state.position.norm();
@@ -31,7 +27,7 @@ std::optional<TrackedSatellite> track(const RawObservation& raw, const GnssTime&
                                       const Ephemerides& ephemerides) {
   const Ephemeris* ephemeris = ephemerides.find(raw.satellite, reception);
   const bool flown = raw.pseudorange > 0.0 && raw.pseudorange < kLongestFlight * kSpeedOfLight;
-  if (ephemeris == nullptr || !flown) return std::nullopt;
+  if (ephemeris == nullptr || !possible(*ephemeris) || !flown) return std::nullopt;
   TrackedSatellite tracked;
   tracked.satellite = raw.satellite;
   const GnssTime transmission = transmission_time(*ephemeris, reception, raw.pseudorange);
@@ -62,7 +58,7 @@ SatelliteObservation seen_from(const LocalFrame& map, const TrackedSatellite& tr
   seen.range_rate = tracked.range_rate;
   seen.pseudorange = tracked.pseudorange - saastamoinen_delay(map.datum(), seen.elevation);
   if (ionosphere) {
-    const double dispersion = kL1 * kL1 / (tracked.frequency * tracked.frequency);
+    const double dispersion = kL1Frequency * kL1Frequency / (tracked.frequency * tracked.frequency);
     seen.pseudorange -= dispersion * klobuchar_delay(*ionosphere, map.datum(), direction, reception);
   }
   return seen;

@@ -11,8 +11,6 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kGravitation = 3.986004418e14;  // GM of the Earth [m^3/s^2]
-
 double radians(double degrees) { return degrees * kPi / 180.0; }
 
 /// A constellation after Walker: planes of one inclination, nodes and satellites evenly spread.
@@ -61,15 +59,13 @@ CircularOrbit::CircularOrbit(double radius, double inclination, double node, dou
       inclination_(inclination),
       node_(node),
       argument_(argument),
-      rate_(std::sqrt(kGravitation / (radius * radius * radius))) {}
+      rate_(std::sqrt(kEarthGravitation / (radius * radius * radius))) {}
 
 CircularOrbit CircularOrbit::from(double epoch) const {
   return {radius_, inclination_, node_ - kEarthRotationRate * epoch, argument_ + rate_ * epoch};
 }
 
-double CircularOrbit::period() const { return 2.0 * kPi / rate_; }
-
-SatelliteState CircularOrbit::at(double time) const {
+OrbitState CircularOrbit::at(double time) const {
   const Eigen::Matrix3d plane =
       (Eigen::AngleAxisd(node_ - kEarthRotationRate * time, Eigen::Vector3d::UnitZ()) *
        Eigen::AngleAxisd(inclination_, Eigen::Vector3d::UnitX()))
@@ -92,14 +88,15 @@ std::vector<Satellite> satellites(const ConstellationParameters& parameters, std
   return all;
 }
 
-SatelliteState at_transmission(const CircularOrbit& orbit, const LocalFrame& map,
-                               const Eigen::Vector3d& antenna, double time) {
+OrbitState at_transmission(const CircularOrbit& orbit, const LocalFrame& map, const Eigen::Vector3d& antenna,
+                           double time) {
   constexpr int kIterations = 3;  // each leaves a hundred-thousandth of the error of flight time
-  SatelliteState state;
+  OrbitState state;
   double flight = 0.075;
   for (int i = 0; i < kIterations; ++i) {
-    const SatelliteState in_ecef = orbit.at(time - flight);
-    state = {map.satellite_to_map(in_ecef.position), map.vector_to_map(in_ecef.velocity)};
+    const OrbitState in_ecef = orbit.at(time - flight);
+    state = {map.satellite_to_map(in_ecef.position),
+             map.satellite_velocity_to_map(in_ecef.position, in_ecef.velocity)};
     flight = (state.position - antenna).norm() / kSpeedOfLight;
   }
   return state;

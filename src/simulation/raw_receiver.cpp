@@ -12,7 +12,6 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kWavelength = 0.19;     // of L1 [m]
 constexpr double kReferenceCn0 = 45.0;   // of the parameters of noise [dB-Hz]
 constexpr double kIonosphere = 350e3;    // height of its thin shell [m]
 constexpr double kEarthRadius = 6371e3;  // [m]
@@ -158,10 +157,10 @@ double RawReceiver::echoes(const std::vector<SignalPath>& paths, const Eigen::Ve
   double error = 0.0;
   for (std::size_t i = 1; i < paths.size(); ++i) {
     const double delay = paths[i].delay - tracked.delay;
-    const double fading = (paths[i].arrival - tracked.arrival).dot(velocity) / kWavelength;  // [Hz]
+    const double fading = (paths[i].arrival - tracked.arrival).dot(velocity) / kL1Wavelength;  // [Hz]
     const double averaged = std::hypot(1.0, fading / parameters_.loop_bandwidth);
     const double amplitude = std::pow(10.0, (tracked.loss_db - paths[i].loss_db) / 20.0);
-    const Echo echo{amplitude, delay, 2.0 * kPi * delay / kWavelength};
+    const Echo echo{amplitude, delay, 2.0 * kPi * delay / kL1Wavelength};
     error += code_multipath(echo, parameters_.correlator_spacing) / averaged;
   }
   return error;

@@ -13,8 +13,7 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kWavelength = 0.19;  // of L1 [m]
-constexpr double kTouching = 1e-6;    // what is this near to where a ray starts is not in its way [m]
+constexpr double kTouching = 1e-6;  // what is this near to where a ray starts is not in its way [m]
 constexpr double kLeastReflectionLossDb = 3.0;
 constexpr int kMostReflections = 2;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
@@ -36,7 +35,7 @@ double knife_edge_loss_db(double nu) { return 6.9 + 20.0 * std::log10(std::hypot
 
 /// Loss by a panel that is smaller than the Fresnel zone of a distance from the antenna [m, dB].
 double spreading_loss_db(double distance, double panel_size) {
-  return 20.0 * std::log10(std::max(distance * kWavelength / (panel_size * panel_size), 1.0));
+  return 20.0 * std::log10(std::max(distance * kL1Wavelength / (panel_size * panel_size), 1.0));
 }
 
 }  // namespace
@@ -101,7 +100,7 @@ std::optional<SignalPath> SkyView::straight_or_bent(const Eigen::Vector3d& anten
   if (bend == 0.0) return SignalPath{SignalPath::Kind::kDirect, 0.0, 0.0, direction};
   if (bend > parameters_.diffraction_limit_deg * kPi / 180.0) return std::nullopt;
   SignalPath path{SignalPath::Kind::kDiffracted, to_edge * (1.0 - std::cos(bend)),
-                  knife_edge_loss_db(bend * std::sqrt(2.0 * to_edge / kWavelength)), direction};
+                  knife_edge_loss_db(bend * std::sqrt(2.0 * to_edge / kL1Wavelength)), direction};
   path.arrival.head<2>() *= std::cos(highest) / horizontal;
   path.arrival.z() = std::sin(highest);
   return path;

@@ -1,5 +1,6 @@
 // Turns a receiver's raw log in RINEX into a drive directory for `evaluate --drive`.
 
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <iostream>
 #include <set>
@@ -126,17 +127,30 @@ void report(const Tally& tally, const Options& options, const Navigation& naviga
   }
   if (tally.written < tally.epochs) {
     std::cerr << tally.epochs - tally.written
-              << " epochs left out: no satellite, or no position known so far\n";
+              << " epochs not written: no satellite, or no position known so far\n";
   }
   if (!navigation.ionosphere) {
     std::cerr << "no GPS or QZSS coefficients of the ionosphere in any NAV: its delay is left in\n";
   }
 }
 
+/// Counts what of the files could not be used, and names the first of it.
+void warn_of(const std::vector<std::string>& left_out, const char* what) {
+  constexpr std::size_t kNamed = 5;
+  if (left_out.empty()) return;
+  std::cerr << what << " that cannot be used: " << left_out.size() << "\n";
+  for (std::size_t i = 0; i < std::min(left_out.size(), kNamed); ++i)
+    std::cerr << "  " << left_out[i] << "\n";
+  if (left_out.size() > kNamed) std::cerr << "  ...\n";
+}
+
 int convert(const Options& options) {
-  const std::vector<RawEpoch> raw = read_observations(options.observations);
+  const ObservationLog log = read_observations(options.observations);
+  warn_of(log.left_out, "epochs");
+  const std::vector<RawEpoch>& raw = log.epochs;
   if (raw.empty()) throw RinexError(options.observations + ": no epoch");
   const Navigation navigation = read_navigation(options.navigation);
+  warn_of(navigation.left_out, "navigation messages");
   const DriveSource source{options.observations, options.navigation, raw.front().time,
                            options.elevation_mask_deg, navigation.ionosphere.has_value()};
   PointPositioning positioning(navigation, options.positioning);

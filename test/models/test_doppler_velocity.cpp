@@ -24,22 +24,20 @@ std::vector<SatelliteObservation> passing(const Eigen::Vector3d& velocity) {
   return sky;
 }
 
-TEST(SolveVelocity, RecoversVelocityAndDrift) {
-  const auto solution = solve_velocity(passing(kVelocity), kAntenna);
+TEST(DopplerVelocity, IsThatOfTheAntennaWhateverTheDrift) {
+  const auto solution = doppler_velocity(passing(kVelocity), kAntenna);
   ASSERT_TRUE(solution);
   EXPECT_LT((solution->velocity - kVelocity).norm(), 1e-9);
-  EXPECT_NEAR(solution->clock_drift, kDrift, 1e-9);
-  EXPECT_EQ(solution->used, 13);
 }
 
-TEST(SolveVelocity, CovarianceIsThatOfItsErrors) {
+TEST(DopplerVelocity, CovarianceIsThatOfItsErrors) {
   double nees = 0.0;
   constexpr int kRuns = 400;
   for (int run = 0; run < kRuns; ++run) {
     RandomStream random(1, static_cast<std::uint64_t>(run), 0);
     auto sky = passing(kVelocity);
     for (SatelliteObservation& one : sky) one.range_rate += 0.1 * random.normal();
-    const auto solution = solve_velocity(sky, kAntenna);
+    const auto solution = doppler_velocity(sky, kAntenna);
     ASSERT_TRUE(solution);
     const Eigen::Vector3d error = solution->velocity - kVelocity;
     nees += error.dot(solution->covariance.inverse() * error) / kRuns;
@@ -47,32 +45,32 @@ TEST(SolveVelocity, CovarianceIsThatOfItsErrors) {
   EXPECT_NEAR(nees, 3.0, 0.6);
 }
 
-TEST(SolveVelocity, AReflectedSignalBendsItLittle) {
+TEST(DopplerVelocity, AReflectedSignalBendsItLittle) {
   auto sky = passing(kVelocity);
   sky[3].range_rate += 6.0;
-  const auto solution = solve_velocity(sky, kAntenna);
+  const auto solution = doppler_velocity(sky, kAntenna);
   ASSERT_TRUE(solution);
   EXPECT_LT((solution->velocity - kVelocity).norm(), 0.1);
 }
 
-TEST(SolveVelocity, ANoisySatelliteCountsLess) {
+TEST(DopplerVelocity, ANoisySatelliteCountsLess) {
   auto sky = passing(kVelocity);
   sky[3].range_rate += 0.3;
-  const double alike = (solve_velocity(sky, kAntenna)->velocity - kVelocity).norm();
+  const double alike = (doppler_velocity(sky, kAntenna)->velocity - kVelocity).norm();
   sky[3].sigma = 50.0;
-  const double told = (solve_velocity(sky, kAntenna)->velocity - kVelocity).norm();
+  const double told = (doppler_velocity(sky, kAntenna)->velocity - kVelocity).norm();
   EXPECT_LT(told, 0.2 * alike);
 }
 
-TEST(SolveVelocity, NeedsFiveSatellitesWithDopplerAllAround) {
+TEST(DopplerVelocity, NeedsFiveSatellitesWithDopplerAllAround) {
   auto sky = passing(kVelocity);
   sky.resize(5);
-  EXPECT_TRUE(solve_velocity(sky, kAntenna));
+  EXPECT_TRUE(doppler_velocity(sky, kAntenna));
   sky[4].range_rate = SatelliteObservation::kUnknown;
-  EXPECT_FALSE(solve_velocity(sky, kAntenna));
-  EXPECT_FALSE(solve_velocity({}, kAntenna));
+  EXPECT_FALSE(doppler_velocity(sky, kAntenna));
+  EXPECT_FALSE(doppler_velocity({}, kAntenna));
   const std::vector<SatelliteObservation> same(6, passing(kVelocity)[0]);
-  EXPECT_FALSE(solve_velocity(same, kAntenna));
+  EXPECT_FALSE(doppler_velocity(same, kAntenna));
 }
 
 }  // namespace

@@ -11,36 +11,36 @@ const Eigen::Vector3d kOrigin = Eigen::Vector3d::Zero();
 
 std::vector<SatelliteObservation> sky() { return observed(open_sky(), kAntenna, -1369.0, -1362.0); }
 
-TEST(SolveRobustly, WithoutOutliersIsLeastSquares) {
-  const auto solution = solve_robustly(sky(), kOrigin);
+TEST(RobustPosition, WithoutOutliersIsLeastSquares) {
+  const auto solution = robust_position(sky(), kOrigin);
   ASSERT_TRUE(solution);
   EXPECT_LT((solution->position - kAntenna).norm(), 1e-3);
   EXPECT_NEAR(solution->clock[0], -1369.0, 1e-3);
   EXPECT_EQ(solution->degrees_of_freedom, 8);
 }
 
-TEST(SolveRobustly, ReflectedSignalsBendItLess) {
+TEST(RobustPosition, ReflectedSignalsBendItLess) {
   auto observations = sky();
   observations[1].pseudorange += 120.0;
   observations[4].pseudorange += 60.0;
   observations[9].pseudorange += 90.0;
   const auto plain = solve_position(observations, declared_weights(observations), kOrigin);
-  const auto robust = solve_robustly(observations, kOrigin);
+  const auto robust = robust_position(observations, kOrigin);
   ASSERT_TRUE(plain && robust);
   EXPECT_GT((plain->position - kAntenna).norm(), 20.0);
   EXPECT_LT((robust->position - kAntenna).norm(), 4.0);
 }
 
-TEST(SolveRobustly, FindsNothingWhereThereIsNone) {
+TEST(RobustPosition, FindsNothingWhereThereIsNone) {
   auto observations = sky();
   observations.resize(3);
-  EXPECT_FALSE(solve_robustly(observations, kOrigin));
-  EXPECT_FALSE(solve_robustly({}, kOrigin));
+  EXPECT_FALSE(robust_position(observations, kOrigin));
+  EXPECT_FALSE(robust_position({}, kOrigin));
 }
 
 TEST(Residuals, AreWhatRangeAndClockLeave) {
   auto observations = sky();
-  const auto solution = solve_robustly(observations, kOrigin);
+  const auto solution = robust_position(observations, kOrigin);
   ASSERT_TRUE(solution);
   observations[2].pseudorange += 7.0;
   observations[10].pseudorange -= 3.0;

@@ -17,7 +17,7 @@ std::optional<Eigen::Vector3d> velocity_of(const std::vector<SatelliteObservatio
                                            const std::vector<double>& weights) {
   std::vector<Eigen::Vector3d> directions;
   for (const auto& observation : sky) directions.push_back((observation.position - kAntenna).normalized());
-  return doppler_velocity(sky, directions, weights, tolerance);
+  return weighted_velocity(sky, directions, weights, tolerance);
 }
 
 TEST(WeightedVelocity, IsExactWithoutNoise) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "../evaluation/temporary_folder.hpp"
@@ -55,6 +56,13 @@ constexpr char kGlonass1At845[] =
     "    -1.662671630859E+04-1.613933563232E+00 9.313225746155E-10 0.000000000000E+00\n"
     "    -7.215297363281E+03-1.857051849365E+00-0.000000000000E+00 1.000000000000E+00\n"
     "     1.795810351563E+04-2.238905906677E+00-2.793967723846E-09 0.000000000000E+00\n";
+
+/// `text` with the first `what` in it replaced.
+inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t place = text.find(what);
+  if (place == std::string::npos) throw std::invalid_argument("no '" + what + "' to replace");
+  return text.replace(place, what.size(), by);
+}
 
 /// `text` and its label at column 60.
 inline std::string header_line(std::string text, const std::string& label) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <vector>
 
@@ -30,8 +31,22 @@ inline std::vector<BroadcastOrbit> circling_satellites(Constellation constellati
   return all;
 }
 
-/// What a receiver at `antenna` measures whose clock is `clock` [s] ahead and gains `drift` [1]: the signal's
-/// way is followed from each satellite through the inertial frame of the moment of reception.
+/// From where a satellite stood when it sent what is heard at `time` to the antenna, in the antenna's east,
+/// north and up of that moment [m]. Worked out in the frame in which the Earth stood still when the signal
+/// left: the antenna goes on with the Earth while the signal flies straight.
+inline Eigen::Vector3d way(const BroadcastOrbit& orbit, const LocalFrame& map, const GnssTime& time) {
+  double flight = 0.07;
+  Eigen::Vector3d seen;
+  for (int i = 0; i < 6; ++i) {
+    const Eigen::AngleAxisd earth(kEarthRotationRate * flight, Eigen::Vector3d::UnitZ());
+    seen = satellite_state(orbit, time + -flight).position - earth * map.origin();
+    flight = seen.norm() / kSpeedOfLight;
+  }
+  const Eigen::AngleAxisd back(-kEarthRotationRate * flight, Eigen::Vector3d::UnitZ());
+  return map.vector_to_map(back * seen);
+}
+
+/// What a receiver at `antenna` measures whose clock is `clock` [s] ahead and gains `drift` [1].
 inline RawEpoch heard(const std::vector<BroadcastOrbit>& satellites, const Geodetic& antenna,
                       const GnssTime& time, double clock, double drift,
                       const std::optional<KlobucharCoefficients>& ionosphere) {
@@ -39,16 +54,12 @@ inline RawEpoch heard(const std::vector<BroadcastOrbit>& satellites, const Geode
   RawEpoch epoch;
   epoch.time = time + clock;
   for (const BroadcastOrbit& orbit : satellites) {
-    double flight = 0.07;
-    for (int i = 0; i < 5; ++i) {
-      const SatelliteState state = satellite_state(orbit, time + -flight);
-      flight = map.satellite_to_map(state.position).norm() / kSpeedOfLight;
-    }
-    const SatelliteState state = satellite_state(orbit, time + -flight);
-    const Eigen::Vector3d seen = map.satellite_to_map(state.position);
+    const Eigen::Vector3d seen = way(orbit, map, time);
     const Direction direction = direction_of(seen);
     if (direction.elevation < 0.0) continue;
-    const double rate = seen.normalized().dot(map.satellite_velocity_to_map(state.position, state.velocity)) +
+    const double flight = seen.norm() / kSpeedOfLight;
+    const SatelliteState state = satellite_state(orbit, time + -flight);
+    const double rate = way(orbit, map, time + 0.5).norm() - way(orbit, map, time + -0.5).norm() +
                         kSpeedOfLight * (drift - state.clock_drift);
     RawObservation raw;
     raw.satellite = orbit.satellite;

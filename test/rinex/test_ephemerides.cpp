@@ -21,13 +21,36 @@ double reference_of(const Ephemeris* ephemeris) {
 
 TEST(Ephemerides, FindsTheNearestOfTheSatellite) {
   Ephemerides all;
-  EXPECT_TRUE(all.empty());
   for (const double second : {1000.0, 8200.0, 15400.0}) all.add(orbit_at(Constellation::kGps, second));
   const SatelliteId satellite{Constellation::kGps, 7};
   EXPECT_EQ(reference_of(all.find(satellite, {2320, 4500.0})), 1000.0);
   EXPECT_EQ(reference_of(all.find(satellite, {2320, 4700.0})), 8200.0);
   EXPECT_EQ(all.find({Constellation::kGps, 8}, {2320, 4500.0}), nullptr);
   EXPECT_EQ(all.find({Constellation::kGalileo, 7}, {2320, 4500.0}), nullptr);
+}
+
+TEST(Ephemerides, OfTwoMessagesOfOneReferenceTheOneSentLaterSpeaks) {
+  const SatelliteId satellite{Constellation::kGps, 7};
+  BroadcastOrbit first = orbit_at(Constellation::kGps, 8200.0);
+  first.sent = -7000.0;
+  BroadcastOrbit warning = orbit_at(Constellation::kGps, 8200.0, false);
+  warning.sent = -600.0;
+  for (const bool in_order : {true, false}) {
+    Ephemerides all;
+    all.add(in_order ? first : warning);
+    all.add(in_order ? warning : first);
+    EXPECT_EQ(all.find(satellite, {2320, 8000.0}), nullptr);
+  }
+}
+
+TEST(Ephemerides, OfTwoMessagesSentWhoKnowsWhenTheOneAddedLaterSpeaks) {
+  const SatelliteId satellite{Constellation::kGps, 7};
+  for (const bool healthy_last : {true, false}) {
+    Ephemerides all;
+    all.add(orbit_at(Constellation::kGps, 8200.0, !healthy_last));
+    all.add(orbit_at(Constellation::kGps, 8200.0, healthy_last));
+    EXPECT_EQ(all.find(satellite, {2320, 8000.0}) != nullptr, healthy_last);
+  }
 }
 
 TEST(Ephemerides, NoneIsUsedBeyondItsWindow) {

@@ -46,6 +46,12 @@ TEST(GnssTime, RunsOverTheEndOfAWeek) {
   EXPECT_DOUBLE_EQ(last - before, 2.0 * kSecondsOfWeek);
 }
 
+TEST(GnssTime, AHairBeforeAWeekIsItsBeginning) {
+  const GnssTime sum = GnssTime{2320, 0.0} + -1e-12;
+  EXPECT_EQ(sum.week, 2320);
+  EXPECT_EQ(sum.second, 0.0);
+}
+
 TEST(GnssTime, RefusesWhatNoCalendarHas) {
   for (const CalendarTime& time : {CalendarTime{2023, 2, 29, 0, 0, 0.0}, CalendarTime{2024, 13, 1, 0, 0, 0.0},
                                    CalendarTime{2024, 0, 1, 0, 0, 0.0}, CalendarTime{2024, 4, 31, 0, 0, 0.0},

@@ -1,4 +1,8 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 
 #include "broadcast.hpp"
 #include "multipath_localization/rinex/line_reader.hpp"
@@ -65,6 +69,36 @@ TEST_F(ReadLines, RefusesALineOfAMegabyte) {
   LineReader in = reader("short\n" + std::string(1 << 20, 'x') + "\n");
   ASSERT_TRUE(in.next());
   EXPECT_THROW(in.next(), RinexError);
+}
+
+TEST_F(ReadLines, ALineWithoutAnEndIsNotWhole) {
+  LineReader in = reader("whole\n12345");
+  ASSERT_TRUE(in.next());
+  try {
+    in.next();
+    FAIL();
+  } catch (const UnexpectedEnd& end) {
+    EXPECT_EQ(std::string(end.what()), folder_.path() + "/lines:2: the file ends within this line");
+  }
+}
+
+/// The command line of a process can be read no further once the process is gone.
+TEST_F(ReadLines, AnErrorWhileReadingIsNoEndOfTheFile) {
+  const pid_t child = fork();
+  if (child == 0) {
+    pause();
+    _exit(0);
+  }
+  LineReader in("/proc/" + std::to_string(child) + "/cmdline");
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  try {
+    in.next();
+    FAIL();
+  } catch (const RinexError& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot be read beyond this line"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(ReadLines, RefusesAFileThatIsEmptyOrNotThere) {

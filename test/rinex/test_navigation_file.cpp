@@ -55,6 +55,13 @@ TEST(ReadNavigation, ZerosOrHalfOfTheCoefficientsAreNone) {
       navigation_of(navigation_header(kIonosphere.substr(0, kIonosphere.find('\n') + 1)) + kGps5).ionosphere);
 }
 
+TEST(ReadNavigation, AnIonosphereGivenTwiceIsTheLast) {
+  const Navigation all =
+      navigation_of(navigation_header(replaced(kIonosphere, "1.8626", "7.7777") + kIonosphere) + kGps5);
+  ASSERT_TRUE(all.ionosphere);
+  EXPECT_DOUBLE_EQ(all.ionosphere->alpha(0), 1.8626e-8);
+}
+
 TEST(ReadNavigation, LeapSecondsAreThoseOfTheHeaderUnlessBeidous) {
   const auto reference = [](const std::string& lines) {
     const Navigation all = navigation_of(navigation_header(lines) + kGlonass1At815);
@@ -119,12 +126,39 @@ TEST(ReadNavigation, RefusesWithLineAndReason) {
             "1: type 'H' is no navigation that is read");
   EXPECT_EQ(refusal(header_line("     3.04           N: GNSS NAV DATA    M", "RINEX VERSION / TYPE")),
             "1: the file ends within its header");
+}
+
+/// What is left out of `messages`, by line and reason, when E12's stands behind them and is read.
+std::vector<std::string> left_out_of(const std::string& messages) {
+  const TemporaryFolder folder;
+  Navigation all = read_navigation({folder.write("nav", navigation_header() + messages + kGalileo12At8)});
+  EXPECT_NE(all.ephemerides.find({Constellation::kGalileo, 12}, on_24_june(9, 0)), nullptr);
+  for (std::string& reason : all.left_out) reason.erase(0, folder.path().size() + 5);
+  return all.left_out;
+}
+
+TEST(ReadNavigation, LeavesOutAMessageThatCannotBeUsedAndReadsOn) {
+  using Reasons = std::vector<std::string>;
   const std::string gps = kGps5;
-  EXPECT_EQ(refusal(navigation_header() + gps.substr(0, 81 * 6) + kGalileo12At8),
-            "8: the message that ends here has 6 lines");
-  EXPECT_EQ(refusal(navigation_header() + gps.substr(81)),
-            "3: no message of a known satellite system begins here");
-  EXPECT_EQ(refusal(navigation_header() + gps.substr(0, 300)), "6: the message that ends here has 4 lines");
+  EXPECT_EQ(left_out_of(gps), Reasons());
+  EXPECT_EQ(left_out_of(gps.substr(0, 81 * 6)), Reasons{"8: the message that ends here has 6 lines"});
+  EXPECT_EQ(left_out_of(gps.substr(81)), Reasons{"3: no message of a known satellite system begins here"});
+  EXPECT_EQ(left_out_of(gps + gps.substr(81, 81)), Reasons{"11: a message of over 8 lines"});
+  EXPECT_EQ(left_out_of(replaced(gps, "5.927642923780E-03", "5.92764292378OE-03")),
+            Reasons{"5: '5.92764292378OE-03' is not a number"});
+  EXPECT_EQ(left_out_of(replaced(gps, "2024 06 24", "2024 02 30") + replaced(gps, "G05", "Q05")),
+            (Reasons{"10: the message that ends here has an impossible date",
+                     "11: no message of a known satellite system begins here"}));
+}
+
+TEST(ReadNavigation, LeavesOutTheMessageThatTheFileBreaksOffIn) {
+  const std::string whole = navigation_header() + kGalileo12At8 + kGps5;
+  for (const std::size_t missing : {1, 10, 100, 600}) {
+    const Navigation all = navigation_of(whole.substr(0, whole.size() - missing));
+    EXPECT_NE(all.ephemerides.find({Constellation::kGalileo, 12}, on_24_june(9, 0)), nullptr);
+    EXPECT_EQ(all.ephemerides.find(kG05, on_24_june(9, 0)), nullptr);
+    EXPECT_EQ(all.left_out.size(), 1u) << missing;
+  }
 }
 
 TEST(ReadNavigation, NoTruncationAndNoFlippedByteDoesHarm) {

@@ -6,21 +6,20 @@
 namespace multipath_localization {
 namespace {
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t place = text.find(what);
-  EXPECT_NE(place, std::string::npos) << what;
-  return text.replace(place, what.size(), by);
-}
-
 class ReadMessage : public ::testing::Test {
  protected:
   /// Of RINEX 3.
-  [[nodiscard]] Ephemeris ephemeris(const std::string& lines, std::optional<int> leap_seconds = 18) const {
+  [[nodiscard]] std::optional<Ephemeris> read(const std::string& lines,
+                                              std::optional<int> leap_seconds = 18) const {
     LineReader in(folder_.write("nav", lines));
     in.require_next("the test");
     NavigationMessage message(in, std::nullopt);
     while (in.next()) message.add_line(in);
     return message.ephemeris(in, leap_seconds);
+  }
+
+  [[nodiscard]] Ephemeris ephemeris(const std::string& lines, std::optional<int> leap_seconds = 18) const {
+    return read(lines, leap_seconds).value();
   }
 
   [[nodiscard]] std::string refusal(const std::string& lines) const {
@@ -71,10 +70,55 @@ TEST_F(ReadMessage, BeidousSecondsAreFourteenLaterThanTheyRead) {
   EXPECT_DOUBLE_EQ(orbit.group_delay, -4.9e-9);
 }
 
+const std::string kGalileosHealth = " 3.120000000000E+00 0.000000000000E+00-8.61";
+
+/// kGalileo12At8 of other data sources and another health.
+std::string galileo(const std::string& sources, const std::string& health) {
+  const std::string by_sources = replaced(kGalileo12At8, " 5.170000000000E+02", sources);
+  return replaced(by_sources, kGalileosHealth, " 3.120000000000E+00" + health + "-8.61");
+}
+
 TEST_F(ReadMessage, GalileosGroupDelayIsThatOfItsClock) {
   EXPECT_DOUBLE_EQ(std::get<BroadcastOrbit>(ephemeris(kGalileo12At8)).group_delay, -8.847564458847e-09);
-  const std::string f_nav = replaced(kGalileo12At8, " 5.170000000000E+02", " 2.580000000000E+02");
-  EXPECT_DOUBLE_EQ(std::get<BroadcastOrbit>(ephemeris(f_nav)).group_delay, -8.614733815193e-09);
+  const std::string with_e5a = galileo(" 2.590000000000E+02", " 0.000000000000E+00");
+  EXPECT_DOUBLE_EQ(std::get<BroadcastOrbit>(ephemeris(with_e5a)).group_delay, -8.614733815193e-09);
+}
+
+/// As E18 was on that day, in an orbit that is none for navigation: 130 in I/NAV, E1-B and E5b out of
+/// service, and 16 in F/NAV, E5a likewise.
+TEST_F(ReadMessage, GalileosFNavDoesNotSpeakForE1) {
+  EXPECT_FALSE(healthy(galileo(" 5.170000000000E+02", " 1.300000000000E+02")));
+  EXPECT_FALSE(read(galileo(" 2.580000000000E+02", " 1.600000000000E+01")));
+  EXPECT_FALSE(read(galileo(" 2.580000000000E+02", " 0.000000000000E+00")));
+  EXPECT_TRUE(healthy(galileo(" 0.000000000000E+00", " 0.000000000000E+00")));
+}
+
+TEST_F(ReadMessage, WhenItWasSentCountsFromTheReference) {
+  EXPECT_EQ(std::get<BroadcastOrbit>(ephemeris(kGps5)).sent, std::optional<double>(115218.0 - 122400.0));
+  EXPECT_EQ(std::get<BroadcastOrbit>(ephemeris(kGalileo12At8)).sent, std::optional<double>(665.0));
+  EXPECT_NEAR(std::get<BroadcastOrbit>(ephemeris(kBeidou1)).sent.value(), 27.6, 1e-9);
+  EXPECT_EQ(std::get<GlonassOrbit>(ephemeris(kGlonass1At815)).sent, std::optional<double>(-900.0));
+  const std::string of_version_2 = replaced(kGlonass1At815, " 1.152000000000E+05", " 2.880000000000E+04");
+  EXPECT_EQ(std::get<GlonassOrbit>(ephemeris(of_version_2)).sent, std::optional<double>(-900.0));
+  std::string over_the_weeks_end = replaced(kGps5, "2024 06 24 10 00 00", "2024 06 22 23 59 44");
+  over_the_weeks_end = replaced(over_the_weeks_end, "1.224000000000E+05", "0.000000000000E+00");
+  over_the_weeks_end = replaced(over_the_weeks_end, "1.152180000000E+05", "6.047900000000E+05");
+  EXPECT_EQ(std::get<BroadcastOrbit>(ephemeris(over_the_weeks_end)).sent, std::optional<double>(-10.0));
+  for (const char* unknown : {"0.999900000000E+09", "                  "}) {
+    EXPECT_FALSE(std::get<BroadcastOrbit>(ephemeris(replaced(kGps5, "1.152180000000E+05", unknown))).sent);
+  }
+}
+
+TEST_F(ReadMessage, GlonasssChannelBelowZeroMayBePrintedAsAByte) {
+  const auto channel = [&](const std::string& printed) {
+    const std::string first = " 1.862645149231E-09";
+    return std::get<GlonassOrbit>(
+               ephemeris(replaced(kGlonass1At815, first + " 1.000000000000E+00", first + printed)))
+        .channel;
+  };
+  EXPECT_EQ(channel("-7.000000000000E+00"), -7);
+  EXPECT_EQ(channel(" 2.490000000000E+02"), -7);
+  EXPECT_EQ(channel(" 2.550000000000E+02"), -1);
 }
 
 TEST_F(ReadMessage, TheReferenceIsTheOneNearTheClocksEvenOverTheEndOfAWeek) {
@@ -123,10 +167,10 @@ TEST_F(ReadMessage, HealthIsThatOfTheSignalUsed) {
   EXPECT_TRUE(healthy(replaced(with_health(" 1.000000000000E+00"), "G05", "J05")));
   EXPECT_FALSE(healthy(replaced(with_health(" 3.200000000000E+01"), "G05", "J05")));
 
-  const std::string galileo = " 3.120000000000E+00 0.000000000000E+00-8.61";
-  EXPECT_FALSE(healthy(replaced(kGalileo12At8, galileo, " 3.120000000000E+00 1.000000000000E+00-8.61")));
-  EXPECT_TRUE(healthy(replaced(kGalileo12At8, galileo, " 3.120000000000E+00 8.000000000000E+00-8.61")));
-  EXPECT_FALSE(healthy(replaced(kGalileo12At8, galileo, "-1.000000000000E+00 0.000000000000E+00-8.61")));
+  EXPECT_FALSE(healthy(galileo(" 5.170000000000E+02", " 1.000000000000E+00")));
+  EXPECT_TRUE(healthy(galileo(" 5.170000000000E+02", " 8.000000000000E+00")));
+  EXPECT_FALSE(
+      healthy(replaced(kGalileo12At8, kGalileosHealth, "-1.000000000000E+00 0.000000000000E+00-8.61")));
   EXPECT_FALSE(std::get<GlonassOrbit>(
                    ephemeris(replaced(kGlonass1At815, "9.313225746155E-10 0.0", "9.313225746155E-10 1.0")))
                    .healthy);
@@ -136,7 +180,8 @@ TEST_F(ReadMessage, RefusesWhatIsNoOrbit) {
   const std::string not_an_orbit = ": the message that ends here is of no navigation satellite's orbit";
   EXPECT_EQ(refusal(replaced(kGps5, "5.927642923780E-03", "1.500000000000E+00")), "8" + not_an_orbit);
   EXPECT_EQ(refusal(replaced(kGps5, "5.153635631561E+03", "0.000000000000E+00")), "8" + not_an_orbit);
-  EXPECT_EQ(refusal(replaced(kGps5, "-1.774230040610E-04", "-1.774230040610E+04")), "8" + not_an_orbit);
+  EXPECT_EQ(refusal(replaced(kGps5, "-1.774230040610E-04", "-1.774230040610E-01")), "8" + not_an_orbit);
+  EXPECT_EQ(refusal(replaced(kGps5, "2024 06 24", "2024 06 22")), "8" + not_an_orbit);
   EXPECT_EQ(refusal(replaced(kGlonass1At815, "-1.373688769531E+04", "-1.373688769531E+14")),
             "4: the message that ends here is of no orbit of GLONASS");
   EXPECT_EQ(refusal(replaced(kGps5, "5.927642923780E-03", "                  ")),

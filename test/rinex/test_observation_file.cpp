@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "broadcast.hpp"
 #include "multipath_localization/rinex/line_reader.hpp"
 #include "multipath_localization/rinex/observation_file.hpp"
@@ -32,7 +34,13 @@ const std::string kHeader2 =
 class ReadObservations : public ::testing::Test {
  protected:
   [[nodiscard]] std::vector<RawEpoch> read(const std::string& content) const {
-    return read_observations(folder_.write("obs", content));
+    return read_observations(folder_.write("obs", content)).epochs;
+  }
+
+  [[nodiscard]] std::vector<std::string> left_out(const std::string& content) const {
+    std::vector<std::string> reasons = read_observations(folder_.write("obs", content)).left_out;
+    for (std::string& reason : reasons) reason.erase(0, folder_.path().size() + 5);
+    return reasons;
   }
 
   [[nodiscard]] std::string refusal(const std::string& content) const {
@@ -59,7 +67,7 @@ TEST_F(ReadObservations, TakesTheFirstCodeThatASatelliteHas) {
   EXPECT_DOUBLE_EQ(all[0].doppler, -105.331);
   EXPECT_DOUBLE_EQ(all[0].cn0, 46.938);
   EXPECT_DOUBLE_EQ(all[1].pseudorange, 26127502.6);
-  EXPECT_FALSE(all[1].has_doppler());
+  EXPECT_TRUE(std::isnan(all[1].doppler));
   EXPECT_TRUE(std::isnan(all[1].cn0));
   EXPECT_EQ(all[2].satellite, (SatelliteId{Constellation::kBeidou, 3}));
   EXPECT_DOUBLE_EQ(all[2].pseudorange, 37529162.33);
@@ -84,7 +92,7 @@ TEST_F(ReadObservations, AZeroIsNoMeasurement) {
   const auto all = read(kHeader3 + epoch).at(0).observations;
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].satellite.number, 2);
-  EXPECT_FALSE(all[0].has_doppler());
+  EXPECT_TRUE(std::isnan(all[0].doppler));
   EXPECT_TRUE(std::isnan(all[0].cn0));
 }
 
@@ -149,10 +157,41 @@ TEST_F(ReadObservations, Version2HasFiveObservationsALineAndTwelveSatellites) {
   EXPECT_DOUBLE_EQ(all[12].pseudorange, 20590112.555);
 }
 
+TEST_F(ReadObservations, AnEpochThatTheFileBreaksOffInIsLeftOut) {
+  using Reasons = std::vector<std::string>;
+  std::string next = kEpoch3;
+  next.replace(next.find("20  0.0"), 7, "20  1.0");
+  const std::string whole = kHeader3 + kEpoch3 + next;
+  EXPECT_EQ(left_out(whole), Reasons());
+  const std::size_t begin = whole.size() - next.size();
+  EXPECT_EQ(left_out(whole.substr(0, begin + next.find("G07"))),
+            Reasons{"14: the file ends within an epoch"});
+  for (std::size_t size = begin + 1; size < whole.size(); size += 13) {
+    EXPECT_EQ(read(whole.substr(0, size)).size(), 1u) << size;
+    EXPECT_EQ(left_out(whole.substr(0, size)).size(), 1u) << size;
+  }
+  // A number whose last digits are missing is no measurement.
+  EXPECT_EQ(left_out(whole.substr(0, whole.size() - 3)), Reasons{"17: the file ends within this line"});
+}
+
+TEST_F(ReadObservations, AnEpochThatIsNoLaterIsLeftOut) {
+  std::string earlier = kEpoch3;
+  std::string later = kEpoch3;
+  earlier.replace(earlier.find("08 20"), 5, "08 19");
+  later.replace(later.find("08 20"), 5, "08 21");
+  const std::string content = kHeader3 + kEpoch3 + kEpoch3 + earlier + later;
+  const auto epochs = read(content);
+  ASSERT_EQ(epochs.size(), 2u);
+  EXPECT_DOUBLE_EQ(epochs[1].time.second, 116460.0);
+  EXPECT_EQ(epochs[1].observations.size(), 3u);
+  EXPECT_EQ(left_out(content),
+            (std::vector<std::string>{"13: time does not increase", "18: time does not increase"}));
+}
+
 TEST_F(ReadObservations, RefusesWithLineAndReason) {
   const std::string epoch = "> 2024 06 24 08 20  0.0000000  0  1\n";
-  EXPECT_EQ(refusal(kHeader3 + kEpoch3 + kEpoch3), "13: time does not increase");
-  EXPECT_EQ(refusal(kHeader3 + kEpoch3.substr(0, kEpoch3.find("G07"))), "9: the file ends within an epoch");
+  EXPECT_EQ(refusal(kHeader3.substr(0, 300)), "4: the file ends within this line");
+  EXPECT_EQ(refusal(kHeader3.substr(0, kHeader3.find("S    1"))), "5: the file ends within its header");
   EXPECT_EQ(refusal(kHeader3 + "G05\n"), "8: no epoch begins here");
   EXPECT_EQ(refusal(kHeader3 + epoch + "E05  20590792.555\n"), "9: 'E05' is of a system without types");
   EXPECT_EQ(refusal(kHeader3 + epoch + "G\n"), "9: 'G' is no satellite");

@@ -54,6 +54,21 @@ TEST_F(ReadHeader, ScalesAreOneUnlessSaid) {
   EXPECT_EQ(all.scale('E', "C1C"), 1.0);
 }
 
+TEST_F(ReadHeader, ScalesGoOnOverLines) {
+  const char* const label = "SYS / SCALE FACTOR";
+  const ObservationHeader all =
+      header(version_3_, header_line("G    1 C1C", "SYS / # / OBS TYPES") +
+                             header_line("G  100 13 C1C L1C D1C S1C C2W L2W D2W S2W C2L L2L D2L S2L", label) +
+                             header_line("          C5Q", label) + header_line("E   10", label));
+  EXPECT_EQ(all.scale('G', "C1C"), 100.0);
+  EXPECT_EQ(all.scale('G', "C5Q"), 100.0);
+  EXPECT_EQ(all.scale('G', "L5Q"), 1.0);
+  EXPECT_EQ(all.scale('E', "C5Q"), 10.0);
+  EXPECT_THROW((void)header(version_3_, header_line("G    1 C1C", "SYS / # / OBS TYPES") +
+                                            header_line("          C5Q", label)),
+               RinexError);
+}
+
 TEST_F(ReadHeader, TimeScaleIsThatOfTheFirstObservationElseTheSystems) {
   const std::string types = header_line("R    1 C1C", "SYS / # / OBS TYPES");
   EXPECT_EQ(header({3.04, 'O', 'R'}, types).time_scale(), TimeScale::kUtc);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "multipath_localization/rinex/point_positioning.hpp"
 #include "sky.hpp"
 
@@ -19,6 +21,17 @@ class Positioning : public ::testing::Test {
     if (!fix) return 1e9;
     const LocalFrame map(antenna);
     return std::hypot(map.to_map(fix->antenna).norm(), fix->antenna.altitude - antenna.altitude);
+  }
+
+  /// That every satellite of the epoch stands where it does as seen from there.
+  static void expect_seen_from(const Geodetic& antenna, const std::optional<CorrectedEpoch>& epoch) {
+    ASSERT_TRUE(epoch);
+    ASSERT_FALSE(epoch->satellites.empty());
+    const LocalFrame map(antenna);
+    for (std::size_t i = 0; i < epoch->satellites.size(); ++i) {
+      const Eigen::Vector3d place = map.satellite_to_map(epoch->satellites[i].at_transmission.position);
+      EXPECT_NEAR(epoch->observations[i].elevation, direction_of(place).elevation, 1e-6);
+    }
   }
 
   const std::vector<BroadcastOrbit> satellites_ = circling_satellites(Constellation::kGps, 6, 5);
@@ -81,14 +94,44 @@ TEST_F(Positioning, AReflectedSignalBendsTheRobustFixLess) {
 
 TEST_F(Positioning, GarbageDoesNotCaptureThePlace) {
   PointPositioning positioning(navigation_, settings_);
-  RawEpoch garbage = raw(kAntenna);
-  for (std::size_t i = 0; i < garbage.observations.size(); ++i) {
-    garbage.observations[i].pseudorange = 1e5 + 2e7 * static_cast<double>(i % 7);
+  RawEpoch few = raw(kAntenna, 3.0);
+  few.observations.resize(2);
+  for (const bool known : {false, true}) {
+    if (known) positioning.correct(raw(kAntenna));
+    RawEpoch garbage = raw(kAntenna, 1.0);
+    for (std::size_t i = 0; i < garbage.observations.size(); ++i) {
+      garbage.observations[i].pseudorange = 1e5 + 2e7 * static_cast<double>(i % 7);
+    }
+    positioning.correct(garbage);
+    const auto seen = positioning.correct(few);
+    EXPECT_EQ(seen.has_value(), known);
+    if (known) expect_seen_from(kAntenna, seen);
   }
-  positioning.correct(garbage);
-  const auto epoch = positioning.correct(raw(kAntenna, 1.0));
+  const auto epoch = positioning.correct(raw(kAntenna, 4.0));
   ASSERT_TRUE(epoch);
   EXPECT_LT(off(epoch->robust, kAntenna), 0.05);
+}
+
+/// Four satellites, one of them below the mask and absurd: they make a cold start, but no robust fix.
+TEST_F(Positioning, AnEpochWithoutARobustFixIsSeenFromTheLastPlace) {
+  PointPositioning positioning(navigation_, {0.3, {Constellation::kGps}});
+  ASSERT_TRUE(positioning.correct(raw(kAntenna)));
+  RawEpoch four = raw(kAntenna, 1.0);
+  const auto low = [&](const RawObservation& observation) {
+    const auto tracked = track(observation, four.time, navigation_.ephemerides);
+    const LocalFrame map(kAntenna);
+    return direction_of(map.satellite_to_map(tracked->at_transmission.position)).elevation < 0.3;
+  };
+  std::stable_partition(four.observations.begin(), four.observations.end(), low);
+  ASSERT_TRUE(low(four.observations[0]));
+  four.observations.erase(std::find_if_not(four.observations.begin() + 1, four.observations.end(), low) + 3,
+                          four.observations.end());
+  four.observations.erase(four.observations.begin() + 1, four.observations.end() - 3);
+  ASSERT_EQ(four.observations.size(), 4u);
+  four.observations[0].pseudorange += 2e5;
+  const auto epoch = positioning.correct(four);
+  EXPECT_EQ(epoch->observations.size(), 3u);
+  expect_seen_from(kAntenna, epoch);
 }
 
 }  // namespace

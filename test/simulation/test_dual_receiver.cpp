@@ -59,7 +59,9 @@ TEST(DualReceiver, DeliversAtItsRateAndLateByItsLatency) {
 }
 
 TEST(DualReceiver, IsSilentInAnOutage) {
-  for (const Delivered& d : watch(DualReceiver(at_5_hz(), {{2.0, 3.0}}, 1), 10.0)) {
+  const auto all = watch(DualReceiver(at_5_hz(), {{2.0, 3.0}}, 1), 10.0);
+  EXPECT_EQ(all.size(), 35U);
+  for (const Delivered& d : all) {
     EXPECT_TRUE(d.fixes.stamp < 2.0 - 1e-9 || d.fixes.stamp > 5.0 - 1e-9) << d.fixes.stamp;
   }
 }
@@ -69,7 +71,9 @@ TEST(DualReceiver, WithoutErrorsSeesTheAntennasWhereTheyAre) {
   parameters.antenna_x = 0.2;
   parameters.baseline = 0.4;
   const Pose2 base{3.0, -4.0, 2.5};
-  for (const Delivered& d : watch(DualReceiver(parameters, {}, 1), 1.0, base)) {
+  const auto all = watch(DualReceiver(parameters, {}, 1), 1.0, base);
+  ASSERT_EQ(all.size(), 5U);
+  for (const Delivered& d : all) {
     EXPECT_EQ(d.fixes.left.antenna_in_base, Eigen::Vector2d(0.2, 0.2));
     EXPECT_EQ(d.fixes.right.antenna_in_base, Eigen::Vector2d(0.2, -0.2));
     EXPECT_LT((d.fixes.left.position - base * d.fixes.left.antenna_in_base).norm(), 1e-12);

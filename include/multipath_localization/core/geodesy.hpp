@@ -7,6 +7,7 @@ namespace multipath_localization {
 
 constexpr double kSpeedOfLight = 299792458.0;           ///< [m/s]
 constexpr double kEarthRotationRate = 7.2921151467e-5;  ///< [rad/s]
+constexpr double kEarthGravitation = 3.986004418e14;    ///< GM [m^3/s^2]
 
 /// A point on or above the WGS-84 ellipsoid: degrees north, degrees east, metres.
 struct Geodetic {

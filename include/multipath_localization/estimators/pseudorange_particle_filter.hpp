@@ -44,7 +44,7 @@ struct PseudorangeParticleFilterParameters {
   LosSubsetParameters subset;
   SubsetLikelihoodParameters likelihood;
   PseudorangeMotionParameters motion;
-  RobustPositionParameters robust;
+  OneSidedPositionParameters robust;
 
   void fields(ParameterVisitor& field);
 };

@@ -49,7 +49,7 @@ class LosSubset {
   /// the subset is too small or leaves a coordinate undetermined.
   std::optional<SubsetSolution> solve(const Eigen::Vector3d& antenna);
 
-  /// Velocity by the Doppler of the satellites selected last, see `doppler_velocity`.
+  /// Velocity by the Doppler of the satellites selected last, see `weighted_velocity`.
   [[nodiscard]] std::optional<Eigen::Vector3d> velocity(double tolerance) const;
 
   /// How far the clock against a constellation was off the common one, selected satellites only.

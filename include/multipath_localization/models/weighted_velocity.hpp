@@ -16,8 +16,8 @@ namespace multipath_localization {
 ///
 /// With a `tolerance` above 0 [m/s] it is solved twice more, each range rate weighted by a Cauchy kernel of
 /// that width: a reflected signal comes from elsewhere and has another Doppler. Departs: [SUZ] has none.
-std::optional<Eigen::Vector3d> doppler_velocity(const std::vector<SatelliteObservation>& observations,
-                                                const std::vector<Eigen::Vector3d>& directions,
-                                                const std::vector<double>& weights, double tolerance);
+std::optional<Eigen::Vector3d> weighted_velocity(const std::vector<SatelliteObservation>& observations,
+                                                 const std::vector<Eigen::Vector3d>& directions,
+                                                 const std::vector<double>& weights, double tolerance);
 
 }  // namespace multipath_localization

@@ -2,10 +2,13 @@
 
 #include <Eigen/Core>
 
+#include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/rinex/gnss_time.hpp"
 
 namespace multipath_localization {
+
+constexpr double kLowestElevation = 3.0 * kPi / 180.0;  ///< lower ones count as this in slant delays [rad]
 
 /// Coefficients of GPS's model of the ionosphere, by powers of semicircles.
 struct KlobucharCoefficients {
@@ -28,7 +31,7 @@ double klobuchar_delay(const KlobucharCoefficients& ionosphere, const Geodetic& 
                        const Direction& satellite, const GnssTime& time);
 
 /// Delay by the troposphere [m], Saastamoinen's model (1972) in a standard atmosphere of 70 % relative
-/// humidity; 10 km over the ellipsoid and higher there is none. Elevations below 3 degrees count as 3.
+/// humidity; 10 km over the ellipsoid and higher there is none.
 double saastamoinen_delay(const Geodetic& antenna, double elevation);
 
 }  // namespace multipath_localization

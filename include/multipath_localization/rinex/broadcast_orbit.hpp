@@ -1,11 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "multipath_localization/rinex/gnss_time.hpp"
 #include "multipath_localization/rinex/satellite_id.hpp"
 
 namespace multipath_localization {
+
+constexpr double kRoundedEarthRotationRate = 7.292115e-5;  ///< as in BeiDou's and GLONASS's ICDs [rad/s]
 
 /// A satellite at one instant.
 struct SatelliteState {
@@ -19,9 +22,10 @@ struct SatelliteState {
 struct BroadcastOrbit {
   SatelliteId satellite;
   bool healthy = true;
-  GnssTime reference;      ///< t_oe
-  double toe = 0.0;        ///< the same on the system's own scale [s of week]
-  double root_axis = 0.0;  ///< sqrt(A) [m^0.5]
+  GnssTime reference;          ///< t_oe
+  double toe = 0.0;            ///< the same on the system's own scale [s of week]
+  std::optional<double> sent;  ///< the message, so long after the reference [s]
+  double root_axis = 0.0;      ///< sqrt(A) [m^0.5]
   double eccentricity = 0.0;
   double inclination = 0.0;                                          ///< i_0 [rad]
   double node = 0.0;                                                 ///< Omega_0 [rad]
@@ -38,6 +42,10 @@ struct BroadcastOrbit {
   Eigen::Vector3d clock_polynomial = Eigen::Vector3d::Zero();  ///< [s, 1, 1/s]
   double group_delay = 0.0;  ///< T_GD, BGD: L1, E1 and B1I leave this much later than `clock` says [s]
 };
+
+/// Whether a satellite may broadcast that: eccentricity up to 0.5, clock within 0.1 s, 1e-6, 1e-12 1/s, its
+/// reference within a day of the orbit's. Times worked out with what is not may be anything.
+bool possible(const BroadcastOrbit& orbit);
 
 /// Satellites of BeiDou that stand over the equator: their orbit is broadcast in another frame.
 bool geostationary(const SatelliteId& satellite);

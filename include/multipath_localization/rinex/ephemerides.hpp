@@ -13,7 +13,11 @@ namespace multipath_localization {
 /// What a satellite broadcasts of its orbit and clock.
 using Ephemeris = std::variant<BroadcastOrbit, GlonassOrbit>;
 
+constexpr double kL1Frequency = 1575.42e6;  ///< of GPS, QZSS and Galileo, which calls it E1 [Hz]
+
 SatelliteState satellite_state(const Ephemeris& ephemeris, const GnssTime& time);
+
+bool possible(const Ephemeris& ephemeris);
 
 /// Of the signal whose pseudoranges are used: L1, E1, B1I or GLONASS's channel of L1 [Hz].
 double carrier_frequency(const Ephemeris& ephemeris);
@@ -26,19 +30,18 @@ class Ephemerides {
  public:
   void add(const Ephemeris& ephemeris);
 
-  /// The one of the satellite whose reference time is nearest, of two equally near the one that was added
-  /// first. Nothing when that is farther off than it may be used for (GPS and QZSS 2 h, Galileo 4 h, BeiDou
-  /// 6 h, GLONASS 30 min) or calls the satellite unhealthy.
+  /// The one of the satellite whose reference time is nearest; of two equally near the one that was sent
+  /// later, since health changes without a new reference, else the one that was added later. Nothing when
+  /// that is farther off than it may be used for (GPS and QZSS 2 h, Galileo 4 h, BeiDou 6 h, GLONASS 30 min)
+  /// or calls the satellite unhealthy.
   [[nodiscard]] const Ephemeris* find(const SatelliteId& satellite, const GnssTime& time) const;
-
-  [[nodiscard]] bool empty() const { return by_satellite_.empty(); }
 
  private:
   std::map<SatelliteId, std::vector<Ephemeris>> by_satellite_;
 };
 
 /// When the signal left that a receiver heard at `reception`, by its own clock, as a pseudorange [m]: the
-/// receiver's clock error is in both and goes out.
+/// receiver's clock error is in both and goes out. The ephemeris has to be a possible one.
 GnssTime transmission_time(const Ephemeris& ephemeris, const GnssTime& reception, double pseudorange);
 
 }  // namespace multipath_localization

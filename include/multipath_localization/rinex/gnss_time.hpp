@@ -4,7 +4,8 @@
 
 namespace multipath_localization {
 
-constexpr double kSecondsOfWeek = 604800.0;
+constexpr double kSecondsOfDay = 86400.0;
+constexpr double kSecondsOfWeek = 7.0 * kSecondsOfDay;
 
 /// An instant on the time scale of GPS, to well below a nanosecond.
 struct GnssTime {
@@ -12,6 +13,7 @@ struct GnssTime {
   double second = 0.0;  ///< of the week, within [0, 604800)
 };
 
+/// `seconds`: up to millions of years.
 GnssTime operator+(const GnssTime& time, double seconds);
 
 /// Seconds from `b` to `a`.

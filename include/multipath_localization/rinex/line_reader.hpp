@@ -17,15 +17,22 @@ class RinexError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A file that ends in the middle of something, as logs do when the power goes.
+class UnexpectedEnd : public RinexError {
+ public:
+  explicit UnexpectedEnd(const RinexError& error) : RinexError(error) {}
+};
+
 /// Reads a file of fixed columns, which are counted from 0 here, line by line. All throw RinexError.
 class LineReader {
  public:
   explicit LineReader(const std::string& file);
 
-  /// Goes to the next line; false at the end of the file. Lines of over 20 000 characters are refused.
+  /// Goes to the next line; false at the end of the file. Throws UnexpectedEnd at a last line without an end,
+  /// whose last number may lack digits. Lines of over 20 000 characters are refused.
   bool next();
 
-  /// The same, where the file must not end.
+  /// The same, where the file must not end: throws UnexpectedEnd.
   void require_next(const char* within);
 
   /// Makes `next` give the same line again.

@@ -42,7 +42,9 @@ class ObservationHeader {
   bool version_2_;
   TimeScale time_scale_;
   std::optional<int> leap_seconds_;
-  char system_ = ' ';  ///< whose types the last line held
+  char system_ = ' ';         ///< whose types the last line held
+  char scaled_system_ = ' ';  ///< likewise of scale factors
+  double scale_ = 0.0;        ///< the last one, 0: none yet
   std::map<char, std::vector<std::string>> types_;
   std::map<char, std::size_t> announced_;
   std::map<char, std::map<std::string, double>> scales_;  ///< under an empty type: of all the others

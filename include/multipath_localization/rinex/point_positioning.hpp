@@ -21,7 +21,7 @@ struct CorrectedEpoch {
   std::vector<TrackedSatellite> satellites;        ///< above the mask
   std::vector<SatelliteObservation> observations;  ///< of them, in a map near the antenna
   std::optional<PointFix> plain;                   ///< least squares by declared weights
-  std::optional<PointFix> robust;                  ///< solve_robustly
+  std::optional<PointFix> robust;                  ///< robust_position
 };
 
 /// How epochs are corrected.
@@ -31,8 +31,8 @@ struct PositioningSettings {
 };
 
 /// Corrects epoch after epoch. What the atmosphere takes and elevations depend on where the antenna is, to a
-/// kilometre or so: that is the robust fix of the epoch before, at first and after jumps a fix from the
-/// epoch itself without corrections.
+/// kilometre or so: that is the last robust fix, at first and after jumps one from the epoch itself, found
+/// without corrections to begin with.
 class PointPositioning {
  public:
   PointPositioning(const Navigation& navigation, const PositioningSettings& settings)
@@ -43,6 +43,9 @@ class PointPositioning {
 
  private:
   [[nodiscard]] std::vector<TrackedSatellite> tracked(const RawEpoch& raw) const;
+  /// Nothing unless it ends in a robust fix.
+  [[nodiscard]] std::optional<CorrectedEpoch> cold_start(const std::vector<TrackedSatellite>& satellites,
+                                                         const GnssTime& time) const;
   [[nodiscard]] CorrectedEpoch corrected(const std::vector<TrackedSatellite>& satellites,
                                          const GnssTime& time, const Geodetic& antenna) const;
 

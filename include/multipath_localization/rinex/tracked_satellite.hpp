@@ -21,7 +21,8 @@ struct TrackedSatellite {
   double cn0 = SatelliteObservation::kUnknown;         ///< [dB-Hz]; NaN: not told
 };
 
-/// Nothing where there is no usable ephemeris, or no time of flight below a second that ends at a satellite.
+/// Nothing where there is no usable and possible ephemeris, or no time of flight below a second that ends at
+/// a satellite.
 std::optional<TrackedSatellite> track(const RawObservation& raw, const GnssTime& reception,
                                       const Ephemerides& ephemerides);
 
@@ -35,7 +36,7 @@ SatelliteObservation seen_from(const LocalFrame& map, const TrackedSatellite& tr
 ///   sigma^2 = (0.8 m / sin(elevation))^2 + (1 m)^2 10^((45 - C/N0) / 10).
 /// The first term is what the models leave of the atmosphere, the second the noise of the code and short
 /// multipath after the sigma-epsilon model (Hartinger and Brunner 1999). An unknown C/N0 counts as 38 dB-Hz,
-/// an elevation below 3 degrees as 3. Reflected signals are outside of it.
+/// an elevation below kLowestElevation as that. Reflected signals are outside of it.
 double pseudorange_sigma(double elevation, double cn0);
 
 }  // namespace multipath_localization

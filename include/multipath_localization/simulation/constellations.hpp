@@ -22,7 +22,7 @@ struct ConstellationParameters {
 };
 
 /// Position [m] and velocity [m/s] of a satellite. The frame is said where it is used.
-struct SatelliteState {
+struct OrbitState {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
 };
@@ -35,12 +35,10 @@ class CircularOrbit {
   CircularOrbit(double radius, double inclination, double node, double argument);
 
   /// In ECEF, at a time [s].
-  [[nodiscard]] SatelliteState at(double time) const;
+  [[nodiscard]] OrbitState at(double time) const;
 
   /// The same orbit with time 0 moved to what was `epoch` [s].
   [[nodiscard]] CircularOrbit from(double epoch) const;
-
-  [[nodiscard]] double period() const;  ///< of one revolution among the stars [s]
 
  private:
   double radius_;
@@ -62,7 +60,7 @@ std::vector<Satellite> satellites(const ConstellationParameters& parameters, std
 
 /// The satellite when it sent what arrives at an antenna in map (east, north, up [m]) at `time` [s]. In map,
 /// the Earth's rotation during the flight undone, as in SatelliteObservation.
-SatelliteState at_transmission(const CircularOrbit& orbit, const LocalFrame& map,
-                               const Eigen::Vector3d& antenna, double time);
+OrbitState at_transmission(const CircularOrbit& orbit, const LocalFrame& map, const Eigen::Vector3d& antenna,
+                           double time);
 
 }  // namespace multipath_localization

@@ -76,7 +76,7 @@ class RawReceiver {
     double doppler;
   };
   struct View {
-    SatelliteState satellite;
+    OrbitState satellite;
     double range;               ///< [m]
     Eigen::Vector3d direction;  ///< to the satellite, length 1
     double elevation;           ///< [rad]

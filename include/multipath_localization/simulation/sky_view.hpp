@@ -12,6 +12,8 @@
 
 namespace multipath_localization {
 
+constexpr double kL1Wavelength = 0.19;  ///< [m]
+
 /// How signals spread among buildings.
 struct SkyParameters {
   double reflection_loss_db = 6.0;
