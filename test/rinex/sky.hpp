@@ -36,7 +36,7 @@ inline std::vector<BroadcastOrbit> circling_satellites(Constellation constellati
 /// left: the antenna goes on with the Earth while the signal flies straight.
 inline Eigen::Vector3d way(const BroadcastOrbit& orbit, const LocalFrame& map, const GnssTime& time) {
   double flight = 0.07;
-  Eigen::Vector3d seen;
+  Eigen::Vector3d seen = Eigen::Vector3d::Zero();
   for (int i = 0; i < 6; ++i) {
     const Eigen::AngleAxisd earth(kEarthRotationRate * flight, Eigen::Vector3d::UnitZ());
     seen = satellite_state(orbit, time + -flight).position - earth * map.origin();

@@ -191,7 +191,7 @@ TEST_F(ReadObservations, AnEpochThatIsNoLaterIsLeftOut) {
 TEST_F(ReadObservations, RefusesWithLineAndReason) {
   const std::string epoch = "> 2024 06 24 08 20  0.0000000  0  1\n";
   EXPECT_EQ(refusal(kHeader3.substr(0, 300)), "4: the file ends within this line");
-  EXPECT_EQ(refusal(kHeader3.substr(0, kHeader3.find("S    1"))), "5: the file ends within its header");
+  EXPECT_EQ(refusal(kHeader3.substr(0, kHeader3.find("S    1"))), "4: the file ends within its header");
   EXPECT_EQ(refusal(kHeader3 + "G05\n"), "8: no epoch begins here");
   EXPECT_EQ(refusal(kHeader3 + epoch + "E05  20590792.555\n"), "9: 'E05' is of a system without types");
   EXPECT_EQ(refusal(kHeader3 + epoch + "G\n"), "9: 'G' is no satellite");
