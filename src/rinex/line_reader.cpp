@@ -38,15 +38,21 @@ LineReader::LineReader(const std::string& file) : file_(file), in_(file) {
 bool LineReader::next() {
   if (kept_) {
     kept_ = false;
-    return true;
+  } else if (!read()) {
+    return false;
   }
+  if (cut_) throw UnexpectedEnd(error("the file ends within this line"));
+  return true;
+}
+
+bool LineReader::read() {
   read_line(in_, line_);
   if (in_.bad()) throw error("cannot be read beyond this line");
   if (line_.empty()) return false;
   ++number_;
   if (line_.size() > kLongestLine) throw error("a line of over 20000 characters");
-  if (line_.back() != '\n') throw UnexpectedEnd(error("the file ends within this line"));
-  line_.pop_back();
+  cut_ = line_.back() != '\n';
+  if (!cut_) line_.pop_back();
   if (!line_.empty() && line_.back() == '\r') line_.pop_back();
   return true;
 }

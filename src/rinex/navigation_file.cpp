@@ -95,12 +95,20 @@ class NavigationReader {
     if (ephemeris) navigation_.ephemerides.add(*ephemeris);
   }
 
+  /// Throws UnexpectedEnd when the file breaks off in a line that continues the message, and not when it does in
+  /// the first line of the next.
   bool next_is_continuation() {
-    if (!in_.next()) return false;
-    if (in_.text(0, 3).empty() && !in_.text(0, 80).empty()) return true;
+    try {
+      if (!in_.next()) return false;
+      if (continues()) return true;
+    } catch (const UnexpectedEnd&) {
+      if (continues()) throw;
+    }
     in_.put_back();
     return false;
   }
+
+  [[nodiscard]] bool continues() const { return in_.text(0, 3).empty() && !in_.text(0, 80).empty(); }
 
   LineReader in_;
   FileKind kind_;

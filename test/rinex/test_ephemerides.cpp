@@ -67,7 +67,10 @@ TEST(Ephemerides, NoneIsUsedBeyondItsWindow) {
     EXPECT_EQ(all.find({constellation, 7}, {2321, 50000.0}), nullptr);
   }
   Ephemerides glonass;
-  glonass.add(GlonassOrbit{{Constellation::kGlonass, 7}, true, {2320, 50000.0}});
+  GlonassOrbit orbit;
+  orbit.satellite = {Constellation::kGlonass, 7};
+  orbit.reference = {2320, 50000.0};
+  glonass.add(orbit);
   EXPECT_NE(glonass.find({Constellation::kGlonass, 7}, {2320, 51800.0}), nullptr);
   EXPECT_EQ(glonass.find({Constellation::kGlonass, 7}, {2320, 51801.0}), nullptr);
 }

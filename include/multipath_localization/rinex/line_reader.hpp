@@ -35,7 +35,7 @@ class LineReader {
   /// The same, where the file must not end: throws UnexpectedEnd.
   void require_next(const char* within);
 
-  /// Makes `next` give the same line again.
+  /// Makes `next` give the same line again, or throw the same.
   void put_back() { kept_ = true; }
 
   /// The current line, without its end.
@@ -63,10 +63,13 @@ class LineReader {
   [[nodiscard]] RinexError error(const std::string& reason) const;
 
  private:
+  bool read();
+
   std::string file_;
   std::ifstream in_;
   std::string line_;
   std::size_t number_ = 0;
+  bool cut_ = false;
   bool kept_ = false;
 };
 
