@@ -68,6 +68,16 @@ struct RangePrediction {
   }
 };
 
+/// 1 sigma of the range of which a belief knows least [m].
+double largest_range_sigma(const PseudorangeBelief& belief, const SlottedEpoch& epoch) {
+  double most_variance = 0.0;
+  for (const SlottedObservation& satellite : epoch.satellites) {
+    const RangePrediction prediction(belief, satellite, epoch);
+    most_variance = std::max(most_variance, prediction.H.dot(belief.covariance_with(prediction.H)));
+  }
+  return std::sqrt(most_variance);
+}
+
 }  // namespace
 
 void RangeErrorParameters::fields(ParameterVisitor& field) {
@@ -178,18 +188,18 @@ void PseudorangeHypothesis::update_rate(const SlottedObservation& satellite, con
 /// Receivers steer their clocks in jumps: then all residuals move together, which no reflection explains.
 void PseudorangeHypothesis::reopen_clock(const SlottedEpoch& epoch, const RangeErrorParameters& errors) {
   std::vector<std::pair<double, double>> residuals;  // and their weights
-  double most_variance = 0.0;
+  residuals.reserve(epoch.satellites.size());
   for (const SlottedObservation& satellite : epoch.satellites) {
     const RangePrediction prediction(belief, satellite, epoch);
     residuals.emplace_back(satellite.observation.pseudorange - prediction.range, satellite.prior);
-    most_variance = std::max(most_variance, prediction.H.dot(belief.covariance_with(prediction.H)));
   }
   std::sort(residuals.begin(), residuals.end());
-  const double threshold = errors.clock_jump + kJumpSigmas * std::sqrt(most_variance);
   const double low = weighted_quantile(residuals, kQuarter);
   const double high = weighted_quantile(residuals, 1.0 - kQuarter);
-  if (low < threshold && high > -threshold) return;
-  const double jump = low >= threshold ? low : high;
+  const double jump = low > 0.0 ? low : high;
+  const double common = std::max(low, -high);  // by which most are off the same way
+  if (common < errors.clock_jump) return;
+  if (common < errors.clock_jump + kJumpSigmas * largest_range_sigma(belief, epoch)) return;
   belief.renew(PseudorangeBelief::kClock, belief.mean(PseudorangeBelief::kClock) + jump,
                square(errors.clock_jump));
 }

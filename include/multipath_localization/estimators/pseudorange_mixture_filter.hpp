@@ -19,7 +19,7 @@ struct PseudorangeMixtureFilterParameters {
   double start_sigma = 15.0;
   double start_up_sigma = 25.0;
   double start_drift_sigma = 100.0;
-  double least_weight = 0.01;
+  double least_weight = 0.03;
   double reseed_interval = 2.0;
   double reseed_probability = 0.005;
   double watch_interval = 15.0;
