@@ -72,6 +72,12 @@ MotionCommand next_command(const Scenario& scenario, WaypointFollower& follower,
   return follower.command(published.pose, time - published.stamp, published.trust).command;
 }
 
+/// Whether a fault makes it a fix that says it is none, which no reader takes.
+bool claims_no_fix(const Simulator& simulator, const Measurement& measurement) {
+  const bool fix = std::holds_alternative<GnssFix>(measurement);
+  return fix && simulator.claimed_status(stamp_of(measurement)).value_or(0) < 0;
+}
+
 }  // namespace
 
 ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const EstimatorFactory& make,
@@ -97,6 +103,7 @@ ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const E
       last = readings.odometry;
     }
     for (const Measurement& measurement : readings.measurements) {
+      if (claims_no_fix(simulator, measurement)) continue;
       localizer.add(measurement);
       run.drive.measurements.push_back({measurement, simulator.time()});
     }
