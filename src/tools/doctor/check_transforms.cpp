@@ -1,5 +1,6 @@
 #include <tf2/LinearMath/Quaternion.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -71,6 +72,65 @@ Finding frame_of_fix(const Observations& seen, const std::string& frame) {
   return pass("fix: header.frame_id is " + frame);
 }
 
+/// Two parents or two broadcasters of a frame, empty for none.
+std::string conflict_of(const std::string& child,
+                        const std::map<std::string, std::set<std::string>>& parents) {
+  if (parents.size() == 1) {
+    const auto& [parent, nodes] = *parents.begin();
+    return nodes.size() > 1 ? parent + " -> " + child + " comes from " + joined(nodes) : "";
+  }
+  std::string who;
+  for (const auto& [parent, nodes] : parents) {
+    who += (who.empty() ? "" : ", ") + parent + " (by " + joined(nodes) + ")";
+  }
+  return child + " has two parents: " + who;
+}
+
+/// Of a node that broadcasts that edge to odom.
+Finding placed_by(const Observations& seen, const std::string& edge, const std::string& node) {
+  if (seen.from_bag) {
+    return fix(
+        edge + " is in the bag" + (node.empty() ? "" : ", by " + node) + ", and will fight with ours",
+        "play it by bag.launch, which drops it: roslaunch multipath_localization bag.launch bag:=FILE");
+  }
+  if (seen.types.count(without_slash(node) + "/fix_report") > 0) {
+    return pass(edge + " is ours, by " + node);
+  }
+  return fix(edge + " is broadcast by " + node,
+             "rosnode kill " + node + ", or localization.launch publish_tf:=false");
+}
+
+/// Of an antenna that tf knows.
+Finding antenna_at(const Observations& seen, const geometry_msgs::TransformStamped& antenna) {
+  const std::string frame = without_slash(antenna.child_frame_id);
+  const std::string parent = without_slash(antenna.header.frame_id);
+  const geometry_msgs::Vector3& at = antenna.transform.translation;
+  const geometry_msgs::Quaternion& q = antenna.transform.rotation;
+  const double turn = tf2::Quaternion(q.x, q.y, q.z, q.w).getAngleShortestPath();
+  const std::string what =
+      text("tf: %s is at %.2f, %.2f, %.2f in %s", frame.c_str(), at.x, at.y, at.z, parent.c_str());
+  if (!(turn <= kLargestTurn)) {
+    return fix(what + text(", turned by %.0f degrees, which an antenna is not", turn * 180.0 / kPi),
+               text("rosrun tf2_ros static_transform_publisher %g %g %g 0 0 0 %s %s", at.x, at.y, at.z,
+                    parent.c_str(), frame.c_str()));
+  }
+  if (!(std::hypot(at.x, at.y) <= kFarthestAntenna)) {
+    return fix(what + ", which is off the robot", static_transform(seen, frame));
+  }
+  return pass(what);
+}
+
+Finding antenna_in(const Observations& seen, const std::string& frame) {
+  if (frame == seen.frames.base_link_frame) return pass("fix: the antenna is at the base, as its frame says");
+  const auto known = std::find_if(seen.transforms.rbegin(), seen.transforms.rend(), [&](const Broadcast& b) {
+    return without_slash(b.transform.child_frame_id) == frame;
+  });
+  if (known == seen.transforms.rend()) {
+    return fix("tf: nobody says where " + frame + " is on the robot", static_transform(seen, frame));
+  }
+  return antenna_at(seen, known->transform);
+}
+
 }  // namespace
 
 Findings check_frames(const Observations& seen) {
@@ -96,20 +156,9 @@ Findings check_frames(const Observations& seen) {
 Findings check_parents(const Observations& seen) {
   Findings all;
   for (const auto& [child, parents] : edges(seen)) {
-    if (parents.size() > 1) {
-      std::string who;
-      for (const auto& [parent, nodes] : parents) {
-        who += (who.empty() ? "" : ", ") + parent + " (by " + joined(nodes) + ")";
-      }
-      all.push_back(fix("tf: " + child + " has two parents: " + who,
-                        "stop one of them, as by publish_tf: false in its parameters"));
-      continue;
-    }
-    const std::set<std::string>& nodes = parents.begin()->second;
-    if (nodes.size() > 1) {
-      all.push_back(fix("tf: " + parents.begin()->first + " -> " + child + " comes from " + joined(nodes),
-                        "stop one of them, as by publish_tf: false in its parameters"));
-    }
+    const std::string conflict = conflict_of(child, parents);
+    if (!conflict.empty())
+      all.push_back(fix("tf: " + conflict, "stop one of them, as by publish_tf: false in its parameters"));
   }
   if (all.empty() && !seen.transforms.empty())
     all.push_back(pass("tf: every frame has one parent and one broadcaster"));
@@ -123,18 +172,7 @@ Findings check_map_to_odom(const Observations& seen) {
   Findings found;
   for (const auto& [parent, nodes] : odom->second) {
     const std::string edge = "tf: " + parent + " -> " + seen.frames.odom_frame;
-    for (const std::string& node : nodes) {
-      if (seen.from_bag) {
-        found.push_back(fix(
-            edge + " is in the bag" + (node.empty() ? "" : ", by " + node) + ", and will fight with ours",
-            "play it by bag.launch, which drops it: roslaunch multipath_localization bag.launch bag:=FILE"));
-      } else if (seen.types.count(without_slash(node) + "/fix_report") == 0) {
-        found.push_back(fix(edge + " is broadcast by " + node,
-                            "rosnode kill " + node + ", or localization.launch publish_tf:=false"));
-      } else {
-        found.push_back(pass(edge + " is ours, by " + node));
-      }
-    }
+    for (const std::string& node : nodes) found.push_back(placed_by(seen, edge, node));
   }
   return found;
 }
@@ -143,35 +181,7 @@ Findings check_antenna(const Observations& seen) {
   Findings all;
   for (std::string frame : names(seen.fixes, [](const auto& m) { return m.header.frame_id; })) {
     frame = without_slash(frame);
-    if (frame.empty()) continue;
-    if (frame == seen.frames.base_link_frame) {
-      all.push_back(pass("fix: the antenna is at the base, as its frame says"));
-      continue;
-    }
-    const Broadcast* antenna = nullptr;
-    for (const Broadcast& broadcast : seen.transforms) {
-      if (without_slash(broadcast.transform.child_frame_id) == frame) antenna = &broadcast;
-    }
-    if (antenna == nullptr) {
-      all.push_back(
-          fix("tf: nobody says where " + frame + " is on the robot", static_transform(seen, frame)));
-      continue;
-    }
-    const geometry_msgs::Vector3& at = antenna->transform.transform.translation;
-    const geometry_msgs::Quaternion& q = antenna->transform.transform.rotation;
-    const double turn = tf2::Quaternion(q.x, q.y, q.z, q.w).getAngleShortestPath();
-    const std::string what = text("tf: %s is at %.2f, %.2f, %.2f in %s", frame.c_str(), at.x, at.y, at.z,
-                                  antenna->transform.header.frame_id.c_str());
-    if (!(turn <= kLargestTurn)) {
-      all.push_back(
-          fix(what + text(", turned by %.0f degrees, which an antenna is not", turn * 180.0 / kPi),
-              text("rosrun tf2_ros static_transform_publisher %g %g %g 0 0 0 %s %s", at.x, at.y, at.z,
-                   without_slash(antenna->transform.header.frame_id).c_str(), frame.c_str())));
-    } else if (!(std::hypot(at.x, at.y) <= kFarthestAntenna)) {
-      all.push_back(fix(what + ", which is off the robot", static_transform(seen, frame)));
-    } else {
-      all.push_back(pass(what));
-    }
+    if (!frame.empty()) all.push_back(antenna_in(seen, frame));
   }
   return all;
 }
