@@ -14,7 +14,7 @@ from synthetic_drive import Robot
 class FaultInjectorTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        rospy.init_node("fault_injector_test")
+        rospy.init_node("fault_injector_node_test")
         cls.fixes, cls.odometry, cls.faults = [], [], []
         cls.subscribers = [
             rospy.Subscriber("gps/fix_spoiled", NavSatFix, cls.fixes.append),
@@ -44,7 +44,10 @@ class FaultInjectorTest(unittest.TestCase):
                 self.gps.publish(fix)
             self.wait(lambda: len(self.odometry) > i, "odometry %d" % i)
         first = self.odometry[0].header.stamp
-        age = lambda message: (message.header.stamp - first).to_sec()
+
+        def age(message):
+            return (message.header.stamp - first).to_sec()
+
         self.wait(lambda: any(age(fix) > 9.5 for fix in self.fixes), "the last fixes")
 
         self.assertFalse([age(fix) for fix in self.fixes if 2.0 < age(fix) < 4.0], "the outage")
@@ -62,4 +65,4 @@ class FaultInjectorTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    rostest.rosrun("multipath_localization", "fault_injector", FaultInjectorTest)
+    rostest.rosrun("multipath_localization", "fault_injector_node", FaultInjectorTest)
