@@ -42,12 +42,14 @@ struct LocalizationParameters {
   FrameParameters frames;
   OutputParameters outputs;
   std::vector<double> datum;
+  std::string datum_file;
   double datum_averaging = 0.0;
   GnssParameters gnss;
   OdometryParameters odometry;
   LocalizerParameters localizer;
 
-  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude.
+  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude, and
+  /// on one beside a file of the datum.
   void fields(ParameterVisitor& field);
 };
 
