@@ -14,6 +14,19 @@ TEST(CheckTopics, NamesTheOneTopicOfTheType) {
   EXPECT_TRUE(ToFix(check_topics(seen), "/ublox/fix", "localization.launch fix:=/ublox/fix"));
 }
 
+TEST(CheckTopics, NeverNamesTheOutputOfALocalisation) {
+  Observations seen = healthy_robot();
+  seen.fixes.clear();
+  seen.odometry.clear();
+  seen.types = {{"gps/filtered", "sensor_msgs/NavSatFix"},
+                {"robot/odometry/filtered_map", "nav_msgs/Odometry"},
+                {"robot/odometry/gps", "nav_msgs/Odometry"}};
+  EXPECT_TRUE(ToFix(check_topics(seen), "no message on /gps/fix", "start the driver"));
+  EXPECT_TRUE(ToFix(check_topics(seen), "no message on /odom", "start the driver"));
+  seen.types["wheels"] = "nav_msgs/Odometry";
+  EXPECT_TRUE(ToFix(check_topics(seen), "nothing on /odom", "odom_topic:=/wheels"));
+}
+
 TEST(CheckTopics, SayWhenATopicIsOfAnotherTypeOrNotThere) {
   Observations seen = healthy_robot();
   seen.types = {{"gps/fix", "sensor_msgs/NavSatStatus"}, {"odom", "nav_msgs/Odometry"}};

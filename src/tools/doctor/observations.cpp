@@ -1,6 +1,8 @@
 #include "tools/doctor/observations.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "nodes/conversions.hpp"
 #include "nodes/odometry_reader.hpp"
@@ -34,6 +36,17 @@ std::vector<OdometryIncrement> increments_of(const Observations& seen) {
   return increments;
 }
 
+/// Whether a localisation puts that out, in whatever namespace.
+bool is_output(const std::string& topic) {
+  constexpr std::array<std::string_view, 3> kOutputs = {"/gps/filtered", "/odometry/gps",
+                                                        "/odometry/filtered_map"};
+  const std::string name = "/" + topic;
+  return std::any_of(kOutputs.begin(), kOutputs.end(), [&](std::string_view output) {
+    return name.size() >= output.size() &&
+           name.compare(name.size() - output.size(), output.size(), output) == 0;
+  });
+}
+
 }  // namespace
 
 Motion motion_of(const Observations& seen) {
@@ -44,8 +57,8 @@ Motion motion_of(const Observations& seen) {
 std::string resolved(const std::map<std::string, std::string>& types, const std::string& asked,
                      const std::string& type) {
   const auto named = types.find(without_slash(asked));
-  const auto is_it = [&](const auto& topic) { return topic.second == type; };
-  if (named != types.end() && is_it(*named)) return named->first;
+  if (named != types.end() && named->second == type) return named->first;
+  const auto is_it = [&](const auto& topic) { return topic.second == type && !is_output(topic.first); };
   const auto only = std::find_if(types.begin(), types.end(), is_it);
   const bool several = std::count_if(types.begin(), types.end(), is_it) != 1;
   return several ? without_slash(asked) : only->first;

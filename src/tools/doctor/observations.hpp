@@ -52,7 +52,8 @@ struct Motion {
 };
 Motion motion_of(const Observations& seen);
 
-/// The name `asked` if there is such a topic, else the only topic of that type, else `asked`.
+/// The name `asked` if there is such a topic, else the only topic of that type that is not the output of a
+/// localisation, else `asked`.
 std::string resolved(const std::map<std::string, std::string>& types, const std::string& asked,
                      const std::string& type);
 

@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <rosgraph_msgs/Clock.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include "nodes/conversions.hpp"
@@ -12,6 +13,8 @@
 namespace multipath_localization {
 
 namespace {
+
+constexpr double kFirstTick = 2.0;  // of a simulated clock at the latest [s]
 
 void take_parameters(const YAML::Node& source, Observations& seen) {
   const LocalizationParameters parameters = LocalizationSettings::from(source).parameters;
@@ -38,6 +41,37 @@ std::string odometry_topic_of(const Observations& seen) {
 void take(const tf2_msgs::TFMessage& message, const std::string& node, bool is_static, Observations& seen) {
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
     seen.transforms.push_back({transform, node, is_static});
+  }
+}
+
+/// Takes what comes in for `seconds`. Whether /clock ticks shows in its messages alone: a player without a
+/// clock advertises it too.
+void listen(double seconds, Observations& seen) {
+  using Transforms = ros::MessageEvent<tf2_msgs::TFMessage const>;
+  const auto now = [] { return ros::Time::now().toSec(); };
+  const boost::function<void(const sensor_msgs::NavSatFix&)> on_fix = [&](const auto& fix) {
+    seen.fixes.push_back({fix, now()});
+  };
+  const boost::function<void(const nav_msgs::Odometry&)> on_odometry = [&](const auto& odometry) {
+    seen.odometry.push_back({odometry, now()});
+  };
+  const boost::function<void(const rosgraph_msgs::Clock&)> on_clock = [&](const auto&) { seen.clock = true; };
+  const auto on_transforms = [&](bool is_static) {
+    return boost::function<void(const Transforms&)>([&seen, is_static](const Transforms& event) {
+      take(*event.getConstMessage(), event.getPublisherName(), is_static, seen);
+    });
+  };
+  ros::NodeHandle node;
+  ros::Time::waitForValid(ros::WallDuration(kFirstTick));
+  const std::vector<ros::Subscriber> subscribers = {
+      node.subscribe<sensor_msgs::NavSatFix>("/" + fix_topic_of(seen), 1000, on_fix),
+      node.subscribe<nav_msgs::Odometry>("/" + odometry_topic_of(seen), 1000, on_odometry),
+      node.subscribe<rosgraph_msgs::Clock>("/clock", 10, on_clock),
+      node.subscribe<tf2_msgs::TFMessage>("/tf", 1000, on_transforms(false)),
+      node.subscribe<tf2_msgs::TFMessage>("/tf_static", 1000, on_transforms(true))};
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
+  while (ros::ok() && ros::WallTime::now() < end) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
   }
 }
 
@@ -73,37 +107,13 @@ Observations observe_bag(const std::string& file, const ObservationRequest& requ
 Observations observe_live(const ObservationRequest& request) {
   Observations seen = begin(request);
   seen.from_bag = false;
-  ros::NodeHandle node;
   const YAML::Node parameters = read_parameters(ros::NodeHandle(request.node));
   if (parameters && request.parameters.empty()) take_parameters(parameters, seen);
   ros::param::get("/use_sim_time", seen.use_sim_time);
   ros::master::V_TopicInfo topics;
   ros::master::getTopics(topics);
   for (const ros::master::TopicInfo& topic : topics) seen.types[without_slash(topic.name)] = topic.datatype;
-  seen.clock = seen.types.count("clock") > 0;
-
-  using Transforms = ros::MessageEvent<tf2_msgs::TFMessage const>;
-  const auto now = [] { return ros::Time::now().toSec(); };
-  const boost::function<void(const sensor_msgs::NavSatFix&)> on_fix = [&](const auto& fix) {
-    seen.fixes.push_back({fix, now()});
-  };
-  const boost::function<void(const nav_msgs::Odometry&)> on_odometry = [&](const auto& odometry) {
-    seen.odometry.push_back({odometry, now()});
-  };
-  const auto on_transforms = [&](bool is_static) {
-    return boost::function<void(const Transforms&)>([&seen, is_static](const Transforms& event) {
-      take(*event.getConstMessage(), event.getPublisherName(), is_static, seen);
-    });
-  };
-  const std::vector<ros::Subscriber> subscribers = {
-      node.subscribe<sensor_msgs::NavSatFix>("/" + fix_topic_of(seen), 1000, on_fix),
-      node.subscribe<nav_msgs::Odometry>("/" + odometry_topic_of(seen), 1000, on_odometry),
-      node.subscribe<tf2_msgs::TFMessage>("/tf", 1000, on_transforms(false)),
-      node.subscribe<tf2_msgs::TFMessage>("/tf_static", 1000, on_transforms(true))};
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(request.seconds);
-  while (ros::ok() && ros::WallTime::now() < end) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
-  }
+  listen(request.seconds, seen);
   return seen;
 }
 
