@@ -22,7 +22,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
     : parameters_(settings.parameters),
       localizer_(settings.make_estimator(), parameters_.localizer),
       datum_(parameters_.datum, parameters_.datum_averaging, parameters_.datum_file),
-      map_services_(node, datum_, [this] { forget("a datum was set"); }),
+      map_services_(node, datum_, parameters_.frames.map_frame, [this] { forget("a datum was set"); }),
       odometry_reader_(parameters_.odometry, parameters_.frames.map_frame),
       tf_(node, parameters_.frames),
       map_to_odom_(parameters_.frames, parameters_.outputs),
@@ -117,6 +117,7 @@ Reason LocalizationNode::hand_over(const GnssMessage& message) {
   if (!datum_.map()) {
     const std::optional<Geodetic> place = place_of(message, parameters_.gnss);
     if (place) datum_.add(header_of(message).stamp.toSec(), *place);
+    map_services_.tell_origin(header_of(message).stamp);
   }
   if (!datum_.map()) return Reason::kNotStarted;
   const CheckedMeasurement checked =

@@ -48,8 +48,8 @@ struct LocalizationParameters {
   OdometryParameters odometry;
   LocalizerParameters localizer;
 
-  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude, and
-  /// on one beside a file of the datum.
+  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude, on
+  /// a file for it that is no absolute path, and on both.
   void fields(ParameterVisitor& field);
 };
 

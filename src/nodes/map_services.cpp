@@ -1,5 +1,6 @@
 #include "nodes/map_services.hpp"
 
+#include <geometry_msgs/PoseStamped.h>
 #include <ros/console.h>
 
 #include <cmath>
@@ -25,12 +26,32 @@ bool turned(const geometry_msgs::Quaternion& q) {
 
 }  // namespace
 
-MapServices::MapServices(ros::NodeHandle node, Datum& datum, std::function<void()> moved)
+MapServices::MapServices(ros::NodeHandle node, Datum& datum, std::string map_frame,
+                         std::function<void()> moved)
     : datum_(datum),
+      map_frame_(std::move(map_frame)),
       moved_(std::move(moved)),
+      origin_(node.advertise<geometry_msgs::PoseStamped>("local_xy_origin", 1, true)),
       set_datum_(node.advertiseService("datum", &MapServices::on_datum, this)),
       to_place_(node.advertiseService("toLL", &MapServices::to_place, this)),
-      from_place_(node.advertiseService("fromLL", &MapServices::from_place, this)) {}
+      from_place_(node.advertiseService("fromLL", &MapServices::from_place, this)) {
+  tell_origin(ros::Time());
+}
+
+void MapServices::tell_origin(const ros::Time& stamp) {
+  if (datum_.map() == nullptr) return;
+  const Geodetic& datum = datum_.map()->datum();
+  geometry_msgs::PoseStamped origin;
+  origin.header.stamp = stamp;
+  origin.header.frame_id = map_frame_;
+  origin.pose.position.x = datum.longitude_deg;
+  origin.pose.position.y = datum.latitude_deg;
+  origin.pose.position.z = datum.altitude;
+  origin.pose.orientation.w = 1.0;
+  if (told_ == origin.pose.position) return;
+  told_ = origin.pose.position;
+  origin_.publish(origin);
+}
 
 bool MapServices::on_datum(SetDatum::Request& request, SetDatum::Response&) {
   const Geodetic place = to_geodetic(request.geo_pose.position);
@@ -39,6 +60,7 @@ bool MapServices::on_datum(SetDatum::Request& request, SetDatum::Response&) {
     return refuse("datum", "map's axes are east, north, up; it cannot be turned");
   }
   datum_.set(place);
+  tell_origin(ros::Time());
   moved_();
   return true;
 }

@@ -9,7 +9,7 @@ import unittest
 import robot_localization_services
 import rospy
 import rostest
-from geometry_msgs.msg import Point, PoseWithCovarianceStamped, Quaternion
+from geometry_msgs.msg import Point, PoseStamped, PoseWithCovarianceStamped, Quaternion
 from roslib.packages import find_node
 from std_srvs.srv import Empty
 from synthetic_drive import DATUM, Robot, Session, to_geodetic
@@ -77,13 +77,22 @@ class LocalizationServices(unittest.TestCase):
         self.assert_refused(self.from_ll, msg.GeoPoint(math.nan, 0.0, 0.0))
         self.assert_refused(self.to_ll, Point(math.inf, 0.0, 0.0))
 
+    def assert_origin(self, longitude, latitude):
+        origin = rospy.wait_for_message('local_xy_origin', PoseStamped, 10.0)
+        self.assertEqual(origin.header.frame_id, 'map')
+        self.assertAlmostEqual(origin.pose.position.x, longitude, 9)
+        self.assertAlmostEqual(origin.pose.position.y, latitude, 9)
+
     def test_4_a_datum_in_the_middle_of_a_drive_starts_afresh(self):
         self.datum(msg.GeoPose(HERE, Quaternion()))
         session, robot = Session(), Robot(seed=1)
         session.begin(robot)
         pose = session.drive(robot, 25.0)[-1]
         self.assertLess(robot.error_of(pose.pose.pose), 0.8, 'metres')
-        self.datum(msg.GeoPose(self.to_ll(Point(100.0, 0.0, 0.0)).ll_point, Quaternion()))
+        self.assert_origin(DATUM[1], DATUM[0])
+        east = self.to_ll(Point(100.0, 0.0, 0.0)).ll_point
+        self.datum(msg.GeoPose(east, Quaternion()))
+        self.assert_origin(east.longitude, east.latitude)
         session.wait(lambda: session.states[-1].name == 'NOT_READY', 'the state after the datum')
         robot.step()
         session.begin(robot)
