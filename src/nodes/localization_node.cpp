@@ -131,7 +131,7 @@ Reason LocalizationNode::hand_over(const GnssMessage& message) {
 
 std::optional<Eigen::Vector2d> LocalizationNode::antenna_in_base(const std::string& frame) {
   const std::optional<Eigen::Vector2d> antenna = tf_.origin_in_base(frame);
-  if (diagnostics_.set_antenna_frame(frame, antenna.has_value())) {
+  if (diagnostics_.set_antenna_frame(frame, antenna || !parameters_.gnss.antenna.empty())) {
     ROS_WARN("no transform from %s to %s%s", parameters_.frames.base_link_frame.c_str(), frame.c_str(),
              parameters_.gnss.require_antenna_transform ? "" : ": a lone antenna is taken to be at the base");
   }

@@ -60,6 +60,11 @@ TEST(LocalizationSettings, RefuseADatumThatIsNone) {
             std::string::npos);
 }
 
+TEST(LocalizationSettings, RefuseAnAntennaThatIsNowhere) {
+  EXPECT_EQ(refusal_of("{antenna: [0.4, -0.2]}"), "");
+  EXPECT_NE(refusal_of("{antenna: [0.4]}").find("antenna"), std::string::npos);
+}
+
 TEST(LocalizationSettings, AskTheEstimatorForTheKindsItUses) {
   const UsedKinds used = LocalizationSettings::from(YAML::Load("{estimator: gated_ekf}")).used_kinds();
   EXPECT_TRUE(used[kFixKind]);

@@ -9,8 +9,7 @@ TEST(CheckFrames, FindEmptyAndSlashedFramesOfFixes) {
   Observations seen = healthy_robot();
   EXPECT_TRUE(Passes(check_frames(seen)));
   seen.fixes[0].message.header.frame_id = "";
-  EXPECT_TRUE(ToFix(check_frames(seen), "header.frame_id is empty",
-                    "static_transform_publisher X Y Z 0 0 0 base_link gps"));
+  EXPECT_TRUE(ToFix(check_frames(seen), "header.frame_id is empty", "antenna: [X, Y]"));
   seen.fixes[0].message.header.frame_id = "/gps";
   EXPECT_TRUE(ToFix(check_frames(seen), "is /gps", "frame_id: gps"));
 }
@@ -62,7 +61,10 @@ TEST(CheckAntenna, WantsItKnownNearAndNotTurned) {
   seen.transforms.back() = broadcast("base_link", "gps", "/antenna", 300.0);
   EXPECT_TRUE(ToFix(check_antenna(seen), "off the robot", "in metres"));
   seen.transforms.pop_back();
-  EXPECT_TRUE(ToFix(check_antenna(seen), "nobody says where gps is", "base_link gps"));
+  EXPECT_TRUE(ToFix(check_antenna(seen), "nobody says where gps is", "base_link -> gps"));
+  seen.antenna = {0.3, -0.1};
+  EXPECT_TRUE(Passes(check_antenna(seen)));
+  EXPECT_NE(check_antenna(seen).front().what.find("0.30, -0.10"), std::string::npos);
 }
 
 }  // namespace

@@ -32,9 +32,10 @@ Edges edges(const Observations& seen) {
   return all;
 }
 
-std::string static_transform(const Observations& seen, const std::string& frame) {
-  return "rosrun tf2_ros static_transform_publisher X Y Z 0 0 0 " + seen.frames.base_link_frame + " " +
-         frame + "   (X forwards, Y to the left, Z up, in metres)";
+std::string place_antenna(const Observations& seen, const std::string& frame) {
+  return "localization.yaml: antenna: [X, Y]   (X forwards, Y to the left, in metres), or a static "
+         "transform " +
+         seen.frames.base_link_frame + " -> " + frame;
 }
 
 /// The names a field takes over all messages.
@@ -63,7 +64,7 @@ Finding frame_of(const std::string& what, const std::string& frame, const std::s
 Finding frame_of_fix(const Observations& seen, const std::string& frame) {
   if (frame.empty()) {
     return fix("fix: header.frame_id is empty, so the antenna is taken to be at the base",
-               "in the receiver's driver: frame_id: gps, and " + static_transform(seen, "gps"));
+               "in the receiver's driver: frame_id: gps, and " + place_antenna(seen, "gps"));
   }
   if (frame.front() == '/') {
     return fix("fix: header.frame_id is " + frame + ", which tf2 does not know with its slash",
@@ -115,7 +116,7 @@ Finding antenna_at(const Observations& seen, const geometry_msgs::TransformStamp
                     parent.c_str(), frame.c_str()));
   }
   if (!(std::hypot(at.x, at.y) <= kFarthestAntenna)) {
-    return fix(what + ", which is off the robot", static_transform(seen, frame));
+    return fix(what + ", which is off the robot", place_antenna(seen, frame));
   }
   return pass(what);
 }
@@ -125,8 +126,12 @@ Finding antenna_in(const Observations& seen, const std::string& frame) {
   const auto known = std::find_if(seen.transforms.rbegin(), seen.transforms.rend(), [&](const Broadcast& b) {
     return without_slash(b.transform.child_frame_id) == frame;
   });
+  if (known == seen.transforms.rend() && !seen.antenna.empty()) {
+    return pass(text("fix: the antenna is at %.2f, %.2f on the base, by the parameter antenna",
+                     seen.antenna[0], seen.antenna[1]));
+  }
   if (known == seen.transforms.rend()) {
-    return fix("tf: nobody says where " + frame + " is on the robot", static_transform(seen, frame));
+    return fix("tf: nobody says where " + frame + " is on the robot", place_antenna(seen, frame));
   }
   return antenna_at(seen, known->transform);
 }

@@ -37,7 +37,8 @@ struct Observations {
   std::vector<Arrived<sensor_msgs::NavSatFix>> fixes;
   std::vector<Arrived<nav_msgs::Odometry>> odometry;
   std::vector<Broadcast> transforms;
-  std::vector<double> datum;  ///< of the parameters, empty for none
+  std::vector<double> datum;    ///< of the parameters, empty for none
+  std::vector<double> antenna;  ///< of the parameters, empty for none
   bool from_bag = true;
   bool use_sim_time = false;  ///< live: the parameter /use_sim_time
   bool clock = false;         ///< somebody publishes /clock, or it was recorded

@@ -20,6 +20,7 @@ void take_parameters(const YAML::Node& source, Observations& seen) {
   const LocalizationParameters parameters = LocalizationSettings::from(source).parameters;
   seen.frames = parameters.frames;
   seen.datum = parameters.datum;
+  seen.antenna = parameters.gnss.antenna;
 }
 
 Observations begin(const ObservationRequest& request) {
