@@ -207,21 +207,28 @@ class Describer : public ParameterVisitor {
     out_ += indent_ + key + ":  # " + std::string(meaning) + "\n" + inner.take();
   }
 
-  void visit_list(const std::string& key, std::string_view meaning, const std::function<void(std::size_t)>&,
-                  const std::function<std::size_t()>& size,
+  void visit_list(const std::string& key, std::string_view meaning,
+                  const std::function<void(std::size_t)>& resize, const std::function<std::size_t()>& size,
                   const std::function<void(std::size_t, ParameterVisitor&)>& fields) override {
     const std::size_t count = size();
     out_ += indent_ + key + ":" + (count == 0 ? " []" : "") + "  # " + std::string(meaning) + "\n";
-    for (std::size_t i = 0; i < count; ++i) {
-      Describer inner(indent_ + "    ");
-      fields(i, inner);
-      std::string item = inner.take();
-      item[indent_.size() + 2] = '-';
-      out_ += item;
-    }
+    for (std::size_t i = 0; i < count; ++i) out_ += item(indent_, i, fields);
+    if (count > 0) return;
+    resize(1);  // of the copy that is described: what an item would hold, as a comment
+    out_ += item(indent_ + "#", 0, fields);
+    resize(0);
   }
 
  private:
+  static std::string item(const std::string& indent, std::size_t i,
+                          const std::function<void(std::size_t, ParameterVisitor&)>& fields) {
+    Describer inner(indent + "    ");
+    fields(i, inner);
+    std::string text = inner.take();
+    text[indent.size() + 2] = '-';
+    return text;
+  }
+
   void line(const std::string& key, const std::string& value, const std::string& allowed,
             std::string_view meaning) {
     out_ += indent_ + key + ": " + value + "  # " + allowed + ": " + std::string(meaning) + "\n";

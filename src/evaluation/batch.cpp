@@ -2,27 +2,34 @@
 
 #include "multipath_localization/estimators/make_estimator.hpp"
 #include "multipath_localization/evaluation/parallel.hpp"
+#include "multipath_localization/evaluation/spoilt_drive.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
+void rate(const Drive& drive, const Batch& batch, RunRecord& run) {
+  const double from = drive.start() + batch.score_from;
+  run.score = score(run.epochs, from);
+  run.longest_off = longest_off(run.epochs, from, batch.off_from);
+  run.fixes = score_fixes(drive, from);
+}
+
 void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& make,
               const ProgressReport& progress, RunRecord& run) {
-  const double from = drive.start() + batch.score_from;
-  run.epochs = run_drive(drive, make, batch.settings, progress);
-  run.score = score(run.epochs, from);
-  run.fixes = score_fixes(drive, from);
+  if (batch.faults) run.drive = spoilt(drive, *batch.faults, batch.fault_seed + run.seed - 1);
+  const Drive& driven = batch.faults ? run.drive : drive;
+  run.epochs = run_drive(driven, make, batch.settings, progress);
+  rate(driven, batch, run);
 }
 
 void run_over(const Scenario& scenario, const Batch& batch, const EstimatorFactory& make,
               const ProgressReport& progress, RunRecord& run) {
   ClosedLoopRun result = run_scenario(scenario, run.seed, make, batch.settings, progress);
-  run.score = score(result.epochs, batch.score_from);
-  run.fixes = score_fixes(result.drive, batch.score_from);
   run.course = result.course;
   run.epochs = std::move(result.epochs);
   run.drive = std::move(result.drive);
+  rate(run.drive, batch, run);
 }
 
 void make_run(const Stream& stream, const Batch& batch, const std::string& name,

@@ -72,6 +72,17 @@ MotionCommand next_command(const Scenario& scenario, WaypointFollower& follower,
   return follower.command(published.pose, time - published.stamp, published.trust).command;
 }
 
+/// Without the fixes that a fault makes say they are none, which no reader takes.
+std::vector<Measurement> readable(const Simulator& simulator, std::vector<Measurement> measurements) {
+  const auto claims_no_fix = [&](const Measurement& measurement) {
+    const bool fix = std::holds_alternative<GnssFix>(measurement);
+    return fix && simulator.claimed_status(stamp_of(measurement)).value_or(0) < 0;
+  };
+  measurements.erase(std::remove_if(measurements.begin(), measurements.end(), claims_no_fix),
+                     measurements.end());
+  return measurements;
+}
+
 }  // namespace
 
 ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const EstimatorFactory& make,
@@ -96,7 +107,7 @@ ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const E
       run.drive.odometry.push_back(*readings.odometry);
       last = readings.odometry;
     }
-    for (const Measurement& measurement : readings.measurements) {
+    for (const Measurement& measurement : readable(simulator, readings.measurements)) {
       localizer.add(measurement);
       run.drive.measurements.push_back({measurement, simulator.time()});
     }

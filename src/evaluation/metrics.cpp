@@ -99,6 +99,21 @@ Score score(const std::vector<Epoch>& epochs, double from) {
   return score;
 }
 
+std::optional<double> longest_off(const std::vector<Epoch>& epochs, double from, double distance) {
+  std::optional<double> longest;
+  std::optional<double> since;
+  for (const Epoch& epoch : epochs) {
+    const bool counts = epoch.truth.stamp >= from && (epoch.valid || longest);
+    if (!counts) continue;
+    const Eigen::Vector2d error = epoch.estimate.position() - epoch.truth.base_in_map.position();
+    const bool off = !epoch.valid || error.norm() >= distance;
+    if (!since) since = epoch.truth.stamp;
+    longest = std::max(longest.value_or(0.0), epoch.truth.stamp - *since);
+    if (!off) since.reset();
+  }
+  return longest;
+}
+
 Score score_fixes(const Drive& drive, double from) {
   std::vector<PositionError> errors;
   for (const GnssFix& fix : drive.fixes()) {

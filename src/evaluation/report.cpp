@@ -82,6 +82,7 @@ const std::vector<Column>& columns() {
       {"yaw deg", 2, [](const RunRecord&, const Score& s) { return scaled(s.heading_rmse, 180.0 / kPi); }},
       of("NEES", &Score::nees_mean),
       {"in 95 %", 0, [](const RunRecord&, const Score& s) { return scaled(s.in_ellipse, 100.0); }},
+      {"off s <=", 1, [](const RunRecord& run, const Score&) { return run.longest_off; }, Over::kMost, false},
       {"waypoints >=", 0,
        [](const RunRecord& run, const Score&) { return count(run.course.waypoints_passed); }, Over::kLeast,
        false},
@@ -161,8 +162,8 @@ std::string to_json(const std::vector<RunRecord>& runs) {
         << ", \"p95_m\": " << json(s.p95) << ", \"max_m\": " << json(s.max)
         << ", \"heading_rmse_rad\": " << json(s.heading_rmse)
         << ", \"rmse_shadow_m\": " << json(s.rmse_shadow) << ", \"rmse_open_m\": " << json(s.rmse_open)
-        << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu)
-        << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
+        << ", \"longest_off_s\": " << json(run.longest_off) << ", \"nees_mean\": " << json(s.nees_mean)
+        << ", \"cpu_s\": " << json(run.cpu) << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
         << ", \"fix_rmse_shadow_m\": " << json(run.fixes.rmse_shadow)
         << ", \"fix_rmse_open_m\": " << json(run.fixes.rmse_open) << "}";
     separator = ",\n";

@@ -114,8 +114,9 @@ std::string to_trace(const std::string& title, const Stream& stream, const std::
   for (const RunRecord& run : runs) {
     if (run.seed == 1 && run.failure.empty()) drawn.push_back(&run);
   }
-  const auto* recorded = std::get_if<Drive>(&stream);
-  const Drive* const drive = recorded != nullptr ? recorded : drawn.empty() ? nullptr : &drawn.front()->drive;
+  const auto* drive = std::get_if<Drive>(&stream);
+  const bool own = !drawn.empty() && !drawn.front()->drive.odometry.empty();
+  if (own) drive = &drawn.front()->drive;
   if (drive == nullptr) return "{}";
 
   std::ostringstream out;

@@ -4,6 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "nodes/datum_file.hpp"
 
 namespace multipath_localization {
 
@@ -22,11 +27,35 @@ double median(const std::vector<Geodetic>& points, Coordinate coordinate) {
   return *middle;
 }
 
+std::string text_of(const LocalFrame& map) {
+  const Geodetic& datum = map.datum();
+  char text[100];
+  std::snprintf(text, sizeof(text), "[%.9f, %.9f, %.3f]", datum.latitude_deg, datum.longitude_deg,
+                datum.altitude);
+  return text;
+}
+
 }  // namespace
 
-Datum::Datum(const std::vector<double>& configured, double averaging) : averaging_(averaging) {
+Datum::Datum(const std::vector<double>& configured, double averaging, std::string file)
+    : averaging_(averaging), file_(std::move(file)) {
   if (configured.size() >= 2) {
     map_.emplace(Geodetic{configured[0], configured[1], configured.size() > 2 ? configured[2] : 0.0});
+  } else if (const auto saved = file_.empty() ? std::nullopt : read_datum(file_)) {
+    map_.emplace(*saved);
+    ROS_INFO("datum of map: %s, from %s", text_of(*map_).c_str(), file_.c_str());
+  }
+}
+
+void Datum::set(const Geodetic& place) {
+  map_.emplace(place);
+  places_.clear();
+  ROS_INFO("datum of map: %s", text_of(*map_).c_str());
+  if (file_.empty()) return;
+  try {
+    write_datum(file_, map_->datum());
+  } catch (const std::runtime_error& error) {
+    ROS_ERROR("the datum is not saved: %s", error.what());
   }
 }
 
@@ -38,12 +67,9 @@ void Datum::add(double stamp, const Geodetic& place) {
   }
   places_.push_back(place);
   if (stamp - first_stamp_ < averaging_) return;
-  map_.emplace(Geodetic{median(places_, [](const Geodetic& p) { return p.latitude_deg; }),
-                        median(places_, [](const Geodetic& p) { return p.longitude_deg; }),
-                        median(places_, [](const Geodetic& p) { return p.altitude; })});
-  const Geodetic& datum = map_->datum();
-  ROS_INFO("datum of map: [%.9f, %.9f, %.3f], from %zu measurements", datum.latitude_deg, datum.longitude_deg,
-           datum.altitude, places_.size());
+  set({median(places_, [](const Geodetic& p) { return p.latitude_deg; }),
+       median(places_, [](const Geodetic& p) { return p.longitude_deg; }),
+       median(places_, [](const Geodetic& p) { return p.altitude; })});
 }
 
 }  // namespace multipath_localization

@@ -39,7 +39,8 @@ class Reading {
   [[nodiscard]] std::optional<Eigen::Vector2d> lone_antenna(const std::string& frame) const {
     const std::optional<Eigen::Vector2d> antenna = antenna_in_base_(frame);
     if (antenna || parameters_.require_antenna_transform) return antenna;
-    return Eigen::Vector2d::Zero();
+    const std::vector<double>& given = parameters_.antenna;
+    return given.empty() ? Eigen::Vector2d(0.0, 0.0) : Eigen::Vector2d(given[0], given[1]);
   }
 
   const LocalFrame& map_;
@@ -59,8 +60,13 @@ const std_msgs::Header& header(const Message& message) {
 }  // namespace
 
 void GnssParameters::fields(ParameterVisitor& field) {
-  field("require_antenna_transform", require_antenna_transform,
-        "refuse fixes whose frame tf does not know, instead of taking the antenna to be at the base");
+  field("antenna", antenna, {-100.0, 100.0}, "m",
+        "a lone antenna whose frame tf does not know is here on the base, forwards and to the left; empty: "
+        "at the base");
+  if (!antenna.empty() && antenna.size() != 2) throw ParameterError("antenna is not [forwards, to the left]");
+  field(
+      "require_antenna_transform", require_antenna_transform,
+      "refuse fixes whose frame tf does not know, instead of taking the antenna to be where `antenna` says");
   field("pair_tolerance", pair_tolerance, {0.0, 1.0}, "s",
         "fixes of the left and the right antenna whose stamps differ by more are of two instants");
   field.group("fix", fix, "how fixes are read");

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "nodes/conversions.hpp"
 #include "nodes/epoch_conversions.hpp"
@@ -24,11 +25,13 @@ static_assert(std::variant_size_v<Measurement> == kGnssKinds.size());
 
 /// How GNSS messages are read.
 struct GnssParameters {
+  std::vector<double> antenna;
   bool require_antenna_transform = false;
   double pair_tolerance = 0.05;
   FixParameters fix;
   EpochParameters epoch;
 
+  /// Throws ParameterError on an antenna that is neither empty nor two numbers.
   void fields(ParameterVisitor& field);
 };
 
@@ -60,7 +63,8 @@ Reason check(const GnssMessage& message, const GnssParameters& parameters);
 std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameters& parameters);
 
 /// Reads a message by the tables of `to_fix`, `to_dual` and `to_epoch`. An antenna whose frame is unknown is
-/// taken to be at the base, unless its transform is required or it is one of two.
+/// taken to be where `antenna` says, by default at the base, unless its transform is required or it is one of
+/// two.
 CheckedMeasurement to_measurement(const GnssMessage& message, const LocalFrame& map,
                                   const GnssParameters& parameters, const AntennaFinder& antenna_in_base);
 

@@ -21,7 +21,8 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
                                    const LocalizationSettings& settings)
     : parameters_(settings.parameters),
       localizer_(settings.make_estimator(), parameters_.localizer),
-      datum_(parameters_.datum, parameters_.datum_averaging),
+      datum_(parameters_.datum, parameters_.datum_averaging, parameters_.datum_file),
+      map_services_(node, datum_, parameters_.frames.map_frame, [this] { forget("a datum was set"); }),
       odometry_reader_(parameters_.odometry, parameters_.frames.map_frame),
       tf_(node, parameters_.frames),
       map_to_odom_(parameters_.frames, parameters_.outputs),
@@ -34,7 +35,9 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
                       true),
       diagnostics_(gnss_, odometry_input_, localizer_, tf_, parameters_) {
   initial_pose_ = node.subscribe("initialpose", 5, &LocalizationNode::on_pose, this);
-  set_pose_ = node.subscribe("set_pose", 5, &LocalizationNode::on_pose, this);
+  pose_to_set_ = node.subscribe("set_pose", 5, &LocalizationNode::on_pose, this);
+  set_pose_ = node.advertiseService("set_pose", &LocalizationNode::on_set_pose, this);
+  global_localization_ = node.advertiseService("global_localization", &LocalizationNode::on_reset, this);
   reset_ = private_node.advertiseService("reset", &LocalizationNode::on_reset, this);
   toggle_ = private_node.advertiseService("toggle", &LocalizationNode::on_toggle, this);
   tf_timer_ =
@@ -114,6 +117,7 @@ Reason LocalizationNode::hand_over(const GnssMessage& message) {
   if (!datum_.map()) {
     const std::optional<Geodetic> place = place_of(message, parameters_.gnss);
     if (place) datum_.add(header_of(message).stamp.toSec(), *place);
+    map_services_.tell_origin(header_of(message).stamp);
   }
   if (!datum_.map()) return Reason::kNotStarted;
   const CheckedMeasurement checked =
@@ -127,7 +131,7 @@ Reason LocalizationNode::hand_over(const GnssMessage& message) {
 
 std::optional<Eigen::Vector2d> LocalizationNode::antenna_in_base(const std::string& frame) {
   const std::optional<Eigen::Vector2d> antenna = tf_.origin_in_base(frame);
-  if (diagnostics_.set_antenna_frame(frame, antenna.has_value())) {
+  if (diagnostics_.set_antenna_frame(frame, antenna || !parameters_.gnss.antenna.empty())) {
     ROS_WARN("no transform from %s to %s%s", parameters_.frames.base_link_frame.c_str(), frame.c_str(),
              parameters_.gnss.require_antenna_transform ? "" : ": a lone antenna is taken to be at the base");
   }

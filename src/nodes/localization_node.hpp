@@ -1,6 +1,7 @@
 #pragma once
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <multipath_localization/SetPose.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
 #include <std_srvs/Empty.h>
@@ -17,6 +18,7 @@
 #include "nodes/localization_diagnostics.hpp"
 #include "nodes/localization_outputs.hpp"
 #include "nodes/localization_parameters.hpp"
+#include "nodes/map_services.hpp"
 #include "nodes/map_to_odom.hpp"
 #include "nodes/report_ledger.hpp"
 #include "nodes/tf_watch.hpp"
@@ -37,7 +39,8 @@ class LocalizationNode {
   void on_odometry(const nav_msgs::Odometry::ConstPtr& message);
   void on_gnss(const GnssMessage& message);
   void on_unpaired(const sensor_msgs::NavSatFix& fix);
-  void on_pose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr& message);
+  void on_pose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr& message) { set_pose(*message); }
+  bool on_set_pose(SetPose::Request& request, SetPose::Response&) { return set_pose(request.pose); }
   bool on_reset(std_srvs::Empty::Request&, std_srvs::Empty::Response&);
   bool on_toggle(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
@@ -58,6 +61,8 @@ class LocalizationNode {
     return odometry_ ? odometry_->message.header.stamp : ros::Time();
   }
 
+  /// Starts the estimator afresh at that pose, or refuses it with a warning.
+  bool set_pose(const geometry_msgs::PoseWithCovarianceStamped& message);
   /// Starts the estimator afresh, at the prior if there is one. What had waited is reported as not started.
   void restart(const std::string& why, const std::optional<PosePrior>& prior = std::nullopt);
   /// The same after the stamps of odometry have jumped, forgetting also what tf said and what was last seen.
@@ -70,6 +75,7 @@ class LocalizationNode {
   LocalizationParameters parameters_;
   Localizer localizer_;
   Datum datum_;
+  MapServices map_services_;
   OdometryReader odometry_reader_;
   TfWatch tf_;
   MapToOdom map_to_odom_;
@@ -86,8 +92,8 @@ class LocalizationNode {
   std::deque<ReadOdometry> unanswered_;       ///< those of the last moments without a pose as yet
   std::map<std::size_t, GnssMessage> early_;  ///< by kind, the last that came before any odometry
 
-  ros::Subscriber initial_pose_, set_pose_;
-  ros::ServiceServer reset_, toggle_;
+  ros::Subscriber initial_pose_, pose_to_set_;
+  ros::ServiceServer reset_, global_localization_, toggle_, set_pose_;
   ros::Timer tf_timer_;
   ros::WallTimer diagnostics_timer_, waiting_timer_;
 };

@@ -11,9 +11,9 @@ constexpr double kLongSilence = 5.0;  ///< [s]
 
 }  // namespace
 
-void LocalizationNode::on_pose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr& message) {
-  const std::string frame = without_slash(message->header.frame_id);
-  std::optional<PosePrior> prior = to_prior(*message);
+bool LocalizationNode::set_pose(const geometry_msgs::PoseWithCovarianceStamped& message) {
+  const std::string frame = without_slash(message.header.frame_id);
+  std::optional<PosePrior> prior = to_prior(message);
   if (!frame.empty() && frame != parameters_.frames.map_frame) {
     ROS_WARN("pose refused: it is given in %s, not in %s", frame.c_str(),
              parameters_.frames.map_frame.c_str());
@@ -24,7 +24,9 @@ void LocalizationNode::on_pose(const geometry_msgs::PoseWithCovarianceStamped::C
   } else {
     prior->stamp = odometry_stamp().toSec();
     restart("a pose was set", prior);
+    return true;
   }
+  return false;
 }
 
 bool LocalizationNode::on_reset(std_srvs::Empty::Request&, std_srvs::Empty::Response&) {

@@ -33,6 +33,9 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
   outputs.fields(field);
   field("datum", datum, {-180.0, 1e5}, "deg, deg, m",
         "latitude, longitude and perhaps altitude of map's origin; empty: from the first measurements");
+  field("datum_file", datum_file, {},
+        "absolute path where the datum is saved, and read at the next start; empty: nowhere. Not beside "
+        "`datum`");
   field(
       "datum_averaging", datum_averaging, {0.0, 600.0}, "s",
       "without a datum, map's origin is the median of the fixes (of raw epochs the least-squares solutions) "
@@ -44,6 +47,10 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
       datum.empty() || (datum.size() <= 3 && datum.size() >= 2 && valid({datum[0], datum[1], 0.0}));
   if (!is_datum)
     throw ParameterError("datum is not [latitude, longitude] or [latitude, longitude, altitude]");
+  if (datum_file.empty()) return;
+  if (datum_file.front() != '/')
+    throw ParameterError("datum_file " + datum_file + " is not an absolute path");
+  if (!datum.empty()) throw ParameterError("datum and datum_file are both given: which one counts?");
 }
 
 LocalizationSettings LocalizationSettings::from(const YAML::Node& source) {

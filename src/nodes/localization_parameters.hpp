@@ -42,12 +42,14 @@ struct LocalizationParameters {
   FrameParameters frames;
   OutputParameters outputs;
   std::vector<double> datum;
+  std::string datum_file;
   double datum_averaging = 0.0;
   GnssParameters gnss;
   OdometryParameters odometry;
   LocalizerParameters localizer;
 
-  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude.
+  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude, on
+  /// a file for it that is no absolute path, and on both.
   void fields(ParameterVisitor& field);
 };
 

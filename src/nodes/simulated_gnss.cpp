@@ -47,12 +47,16 @@ void SimulatedGnss::place_antennas(const SimulatorParameters& simulator) {
   transforms_.sendTransform(antennas);
 }
 
-void SimulatedGnss::publish(const Measurement& measurement) {
-  std::visit([this](const auto& m) { this->publish(m); }, measurement);
+void SimulatedGnss::publish(const Measurement& measurement, std::optional<int> status) {
+  if (const auto* fix = std::get_if<GnssFix>(&measurement)) publish(*fix, status);
+  if (const auto* fixes = std::get_if<DualAntennaFix>(&measurement)) publish(*fixes);
+  if (const auto* epoch = std::get_if<PseudorangeEpoch>(&measurement)) publish(*epoch);
 }
 
-void SimulatedGnss::publish(const GnssFix& fix) {
-  fix_.publish(to_message(fix, map_, header(fix.stamp, frames_.gps_frame)));
+void SimulatedGnss::publish(const GnssFix& fix, std::optional<int> status) {
+  sensor_msgs::NavSatFix message = to_message(fix, map_, header(fix.stamp, frames_.gps_frame));
+  if (status) message.status.status = static_cast<std::int8_t>(*status);
+  fix_.publish(message);
 }
 
 void SimulatedGnss::publish(const DualAntennaFix& fixes) {

@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
+#include <optional>
 #include <string>
 
 #include "multipath_localization/core/geodesy.hpp"
@@ -20,10 +21,11 @@ class SimulatedGnss {
   SimulatedGnss(ros::NodeHandle node, const SimulatorParameters& simulator, const RobotFrames& frames,
                 const ros::Time& origin);
 
-  void publish(const Measurement& measurement);
+  /// `status`: what a fix claims in place of STATUS_FIX.
+  void publish(const Measurement& measurement, std::optional<int> status);
 
  private:
-  void publish(const GnssFix& fix);
+  void publish(const GnssFix& fix, std::optional<int> status);
   void publish(const DualAntennaFix& fixes);
   void publish(const PseudorangeEpoch& epoch);
   void place_antennas(const SimulatorParameters& simulator);

@@ -110,7 +110,9 @@ void SimulatorNode::step() {
     publish_odometry(*readings.odometry);
     publish_truth();
   }
-  for (const Measurement& measurement : readings.measurements) gnss_->publish(measurement);
+  for (const Measurement& measurement : readings.measurements) {
+    gnss_->publish(measurement, simulator_.claimed_status(stamp_of(measurement)));
+  }
 }
 
 void SimulatorNode::publish_odometry(const OdometryIncrement& increment) {

@@ -8,15 +8,6 @@
 
 namespace multipath_localization {
 
-namespace {
-
-Eigen::Vector2d normal2(RandomStream& random, double sigma) {
-  const double x = random.normal();
-  return {sigma * x, sigma * random.normal()};
-}
-
-}  // namespace
-
 void OutageParameters::fields(ParameterVisitor& field) {
   field("start", start, {0.0, 1e9}, "s", "no fix from here on");
   field("duration", duration, {0.0, 1e9}, "s", "for this long");
@@ -49,10 +40,11 @@ void ReceiverParameters::fields(ParameterVisitor& field) {
 
 Receiver::Receiver(const ReceiverParameters& parameters, const std::vector<OutageParameters>& outages,
                    std::uint64_t seed)
-    : parameters_(parameters), outages_(outages), seed_(seed) {
-  RandomStream random(seed_, 0, kReceiverStream);
-  coloured_ = normal2(random, parameters_.coloured_sigma);
-}
+    : parameters_(parameters),
+      outages_(outages),
+      seed_(seed),
+      coloured_(parameters.coloured_sigma, parameters.coloured_time_constant,
+                RandomStream(seed, 0, kReceiverStream)) {}
 
 Eigen::Vector2d Receiver::antenna_in_base() const { return {parameters_.antenna_x, parameters_.antenna_y}; }
 
@@ -63,31 +55,24 @@ void Receiver::measure(const Pose2& base_in_map, const Reception& reception, dou
       reception.in_shadow ? parameters_.declared_sigma_shadow : parameters_.declared_sigma_open;
   GnssFix fix;
   fix.stamp = time;
-  fix.position = base_in_map * antenna_in_base() + reception.bias + coloured_ +
+  fix.position = base_in_map * antenna_in_base() + reception.bias + coloured_.value() +
                  normal2(random, sigma);  // Eq. (9) of [NIS]
   fix.covariance = declared * declared * Eigen::Matrix2d::Identity();
   fix.antenna_in_base = antenna_in_base();
   const double late = parameters_.latency + parameters_.latency_jitter * random.uniform();
-  const double after_last = under_way_.empty() ? time : under_way_.back().time;
-  under_way_.push_back({std::max(time + late, after_last), fix});
+  under_way_.send(fix, time + late);
 }
 
 std::vector<GnssFix> Receiver::step(const Pose2& base_in_map, const Reception& reception, double time,
                                     double duration) {
   RandomStream random(seed_, ++steps_, kReceiverStream);
-  const double kept = std::exp(-duration / parameters_.coloured_time_constant);
-  coloured_ = kept * coloured_ + normal2(random, parameters_.coloured_sigma * std::sqrt(1.0 - kept * kept));
+  coloured_.step(duration, random);
 
   const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
   if (due > emitted_ && !outage_at(outages_, time)) measure(base_in_map, reception, time);
   emitted_ = due;
 
-  std::vector<GnssFix> delivered;
-  while (!under_way_.empty() && under_way_.front().time <= time + 1e-9) {
-    delivered.push_back(under_way_.front().fix);
-    under_way_.pop_front();
-  }
-  return delivered;
+  return under_way_.take(time);
 }
 
 }  // namespace multipath_localization

@@ -1,6 +1,5 @@
 #include "multipath_localization/simulation/receiver_schedule.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -23,16 +22,13 @@ bool ReceiverSchedule::due(double time) {
 void ReceiverSchedule::send(std::vector<Measurement> measured, double time) {
   RandomStream random(seed_, static_cast<std::uint32_t>(epochs_), kReceiverLatencyStream);
   const double late = parameters_.latency + parameters_.latency_jitter * random.uniform();
-  const double after_last = under_way_.empty() ? time : under_way_.back().time;
-  under_way_.push_back({std::max(time + late, after_last), std::move(measured)});
+  under_way_.send(std::move(measured), time + late);
 }
 
 std::vector<Measurement> ReceiverSchedule::take(double time) {
   std::vector<Measurement> arrived;
-  while (!under_way_.empty() && under_way_.front().time <= time + 1e-9) {
-    const std::vector<Measurement>& measured = under_way_.front().measured;
+  for (const std::vector<Measurement>& measured : under_way_.take(time)) {
     arrived.insert(arrived.end(), measured.begin(), measured.end());
-    under_way_.pop_front();
   }
   return arrived;
 }

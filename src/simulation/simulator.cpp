@@ -19,6 +19,7 @@ void SimulatorParameters::fields(ParameterVisitor& field) {
   field.list("zones", zones, "regions in the shadow of buildings; of overlapping ones the first counts");
   field.list("buildings", buildings, "drawn; they stand in the way of satellites");
   field.list("outages", outages, "intervals without fixes");
+  field.group("faults", faults, "what goes wrong between sensors and whoever uses them");
 }
 
 Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
@@ -26,7 +27,9 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
       robot_(parameters.robot, seed),
       odometer_(parameters.odometer, seed),
       dual_receiver_(parameters.dual_receiver, parameters.outages, seed),
-      receiver_(parameters.receiver, parameters.outages, seed) {
+      receiver_(parameters.receiver, parameters.outages, seed),
+      fix_faults_(parameters.faults.fix, seed),
+      odometry_faults_(parameters.faults.odometry, seed) {
   for (const ZoneParameters& zone : parameters_.zones) {
     zones_.emplace_back(zone, seed, static_cast<std::uint32_t>(zones_.size()));
   }
@@ -61,6 +64,23 @@ std::vector<Measurement> Simulator::receive(double duration) {
   return {fixes.begin(), fixes.end()};
 }
 
+std::vector<Measurement> Simulator::spoilt(const std::vector<Measurement>& delivered) {
+  std::vector<Measurement> measurements;
+  const auto release = [&] {
+    for (const SpoiltFix& out : fix_faults_.release(time())) measurements.emplace_back(out.fix);
+  };
+  release();
+  for (const Measurement& measurement : delivered) {
+    if (const auto* fix = std::get_if<GnssFix>(&measurement)) {
+      fix_faults_.take(*fix, time());
+      release();
+    } else {
+      measurements.push_back(measurement);
+    }
+  }
+  return measurements;
+}
+
 Readings Simulator::step(const MotionCommand& u) {
   ++steps_;
   const double duration = parameters_.time_step;
@@ -68,7 +88,8 @@ Readings Simulator::step(const MotionCommand& u) {
   robot_.step(u, duration);
   Readings readings;
   readings.odometry = odometer_.step(robot_, time(), duration);
-  readings.measurements = receive(duration);
+  if (readings.odometry) readings.odometry = odometry_faults_.spoil(*readings.odometry);
+  readings.measurements = spoilt(receive(duration));
   const auto bias_at = [this](const Eigen::Vector2d& point) { return reception(point).bias; };
   for (const DualAntennaFix& fixes : dual_receiver_.step(robot_.pose(), bias_at, time())) {
     readings.measurements.emplace_back(fixes);

@@ -41,18 +41,14 @@ Zone::Zone(const ZoneParameters& parameters, std::uint64_t seed, std::uint32_t i
   if (parameters_.shape == "polygon") polygon_ = Polygon(parameters_.corners, "zone " + parameters_.name);
   RandomStream random(seed_, 0, kZoneStream + index_);
   direction_ += parameters_.direction_sigma * random.normal();
-  walk_.x() = parameters_.bias_sigma * random.normal();
-  walk_.y() = parameters_.bias_sigma * random.normal();
+  walk_.emplace(parameters_.bias_sigma, parameters_.bias_time_constant, random);
 }
 
 void Zone::step(double duration) {
   RandomStream random(seed_, ++steps_, kZoneStream + index_);
   direction_ = wrap_angle(direction_ + parameters_.direction_rate * duration +
                           parameters_.direction_walk * std::sqrt(duration) * random.normal());
-  const double kept = std::exp(-duration / parameters_.bias_time_constant);
-  const double sigma = parameters_.bias_sigma * std::sqrt(1.0 - kept * kept);
-  walk_.x() = kept * walk_.x() + sigma * random.normal();
-  walk_.y() = kept * walk_.y() + sigma * random.normal();
+  walk_->step(duration, random);
 }
 
 double Zone::depth(const Eigen::Vector2d& point) const {
@@ -64,8 +60,9 @@ Eigen::Vector2d Zone::bias(const Eigen::Vector2d& point) const {
   const double inside = depth(point);
   if (!(inside > 0.0)) return Eigen::Vector2d::Zero();
   if (parameters_.law == "depth") return std::min(inside, parameters_.bias_cap) * along(direction_);
-  const double length = walk_.norm();
-  return length > parameters_.bias_cap ? Eigen::Vector2d(walk_ * (parameters_.bias_cap / length)) : walk_;
+  const Eigen::Vector2d& walk = walk_->value();
+  const double length = walk.norm();
+  return length > parameters_.bias_cap ? Eigen::Vector2d(walk * (parameters_.bias_cap / length)) : walk;
 }
 
 }  // namespace multipath_localization

@@ -16,6 +16,8 @@
 #include "multipath_localization/evaluation/report.hpp"
 #include "multipath_localization/evaluation/trace.hpp"
 #include "nodes/bag_drive.hpp"
+#include "nodes/fault_injector.hpp"
+#include "tools/evaluate/options.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -36,6 +38,7 @@ struct Options {
   std::optional<Geodetic> datum;
   Batch batch;
   std::vector<std::string> assignments;
+  std::string faults_file;
   std::string json_file;
   std::string plot_file;
 };
@@ -64,70 +67,6 @@ Geodetic parse_datum(const std::string& text) {
   throw UsageError("--datum " + text + " is not LATITUDE,LONGITUDE[,ALTITUDE]");
 }
 
-constexpr char kAfterwards[] = R"(
-The table has one line per estimator: means over the seeds, in metres where nothing else is said.
-  epochs         truth samples scored; 'without' those for which there was no estimate, which are not
-  95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, where they are not;
-                 by satellites: where those in line of sight are not the majority of those received, where they are
-  NEES           error squared over declared variance, 2 is ideal; 'in 95 %' [%] inside the declared ellipse
-  waypoints >=   passed by the follower in the seed with the fewest
-  missed by <=   the farthest the robot truly was from a waypoint it passed, in the worst seed
-Exit status: 0 when every run ended, 1 when one did not, 2 when the command line or the data cannot be used.
-)";
-
-po::options_description stream_options() {
-  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
-  po::options_description options("One stream", 110);
-  const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
-  add("drive", text("DIR"),
-      "a recording: odometry.csv, truth.csv, and fix.csv or pseudoranges.csv or both; without odometry.csv "
-      "it "
-      "moves by Doppler, without truth.csv nothing is scored");
-  add("bag", text("FILE"), "a recording: NavSatFix or GnssEpoch, Odometry, truth as PoseStamped or Odometry");
-  add("scenario", text("NAME"),
-      "a simulation, steered on the estimate unless it says otherwise: config/scenarios/NAME.yaml, or a "
-      "file");
-  add("fix-topic", text("TOPIC"),
-      "of the bag, with or without leading slash; gps/fix, or the only NavSatFix");
-  add("epoch-topic", text("TOPIC"), "gnss/epoch, or the only GnssEpoch");
-  add("left-topic", text("TOPIC"), "NavSatFix of the left one of two antennas; gps/left/fix");
-  add("right-topic", text("TOPIC"), "of the right one; gps/right/fix");
-  add("odom-topic", text("TOPIC"), "odom, or the only Odometry besides truth");
-  add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
-  add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
-  add("datum", text("LAT,LON[,ALT]"),
-      "origin of the frame of a bag's truth [deg, m]; left out: as a static transform earth -> that frame "
-      "has "
-      "it, else where the median of fix - truth is zero, over the fixes in open sky if a shadow topic tells "
-      "which those are, else over all");
-  return options;
-}
-
-po::options_description run_options() {
-  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
-  const auto number = [](const char* name, int value) {
-    return po::value<int>()->default_value(value)->value_name(name);
-  };
-  po::options_description options("Runs and results", 110);
-  const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
-  add("estimators", text("A,B"),
-      "names, or 'all'; left out: the default estimator. With parameters of its own as NAME{KEY: VALUE, "
-      "...}, "
-      "under a name of its own as LABEL=NAME{KEY: VALUE, ...}");
-  add("seeds", number("N", 1), "run seeds 1..N");
-  add("jobs", number("N", 1), "runs at a time; changes no result");
-  add("known-start", "tell the estimators the true pose at the start; it is unknown otherwise");
-  add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
-      "a parameter of all estimators, of one as NAME.KEY, of the stream they are put on as localizer.KEY, or "
-      "of "
-      "a scenario as simulator.KEY and steering.KEY; nested by dots; may be repeated");
-  add("score-from", po::value<double>()->default_value(0.0)->value_name("S"), "score from S seconds on");
-  add("json", text("FILE"), "write the figures of each run");
-  add("plot", text("FILE.png"), "draw seed 1: trajectories, error and declared error over time");
-  add("help", "print this");
-  return options;
-}
-
 std::vector<EstimatorVariant> chosen(const std::string& list) {
   if (list.empty()) return parse_variants(estimator_names().front());
   if (list != "all") return parse_variants(list);
@@ -153,6 +92,7 @@ Options read_options(const po::variables_map& given) {
                     text("epoch-topic"), text("left-topic"), text("right-topic")};
   if (given.count("datum") > 0) options.datum = parse_datum(text("datum"));
   if (given.count("set") > 0) options.assignments = given["set"].as<std::vector<std::string>>();
+  options.faults_file = text("faults");
   options.json_file = text("json");
   options.plot_file = text("plot");
 
@@ -162,6 +102,7 @@ Options read_options(const po::variables_map& given) {
   batch.seeds = count("seeds");
   batch.jobs = count("jobs");
   batch.score_from = given["score-from"].as<double>();
+  batch.off_from = given["off-from"].as<double>();
   batch.settings.known_start = given.count("known-start") > 0;
   return options;
 }
@@ -189,6 +130,20 @@ std::vector<std::string> owners_run(const Batch& batch, const Stream& stream) {
   for (const EstimatorVariant& variant : batch.estimators) owners.push_back(variant.name);
   if (std::holds_alternative<Scenario>(stream)) owners.insert(owners.end(), {kSimulator, kSteering});
   return owners;
+}
+
+/// Puts faults on the stream.
+void add_faults(const std::string& file, Batch& batch, Stream& stream) {
+  if (file.empty()) return;
+  FaultInjectorParameters parameters;
+  load(read_yaml(file), parameters);
+  if (!parameters.datum.empty()) throw UsageError(file + ": datum is the stream's, leave it out");
+  batch.fault_seed = static_cast<std::uint64_t>(parameters.seed);
+  if (auto* scenario = std::get_if<Scenario>(&stream)) {
+    scenario->simulator.faults = parameters.faults;
+  } else {
+    batch.faults = parameters.faults;
+  }
 }
 
 /// The parameters of each estimator; settles those of the localizer in the batch, of a scenario in the
@@ -242,6 +197,7 @@ std::vector<RunRecord> make_runs(const Batch& batch, const Stream& stream,
 
 int evaluate(Options options) {
   Stream stream = open_stream(options);
+  add_faults(options.faults_file, options.batch, stream);
   const std::vector<std::string> parameters = settle_parameters(options, stream);
   const std::string title = std::visit([](const auto& s) { return s.name; }, stream);
   if (const auto* drive = std::get_if<Drive>(&stream)) {

@@ -157,6 +157,13 @@ TEST(Parameters, EmptyListsAndTextsDescribeAndLoad) {
   EXPECT_EQ(back.note, "");
 }
 
+TEST(Parameters, AnEmptyListIsDescribedByAnItemInAComment) {
+  Sample sample;
+  sample.zones.clear();
+  EXPECT_TRUE(Names(describe(sample),
+                    {"zones: []  # the others\n#  - width: 1", "\n#    side: left  # left | right"}));
+}
+
 TEST(Parameters, DescriptionNamesUnitRangeAndMeaning) {
   const Sample sample;
   const std::string text = describe(sample);

@@ -82,6 +82,25 @@ TEST(Score, NeesOfACollapsedCovarianceIsLargeButFinite) {
   EXPECT_DOUBLE_EQ(*score({e}, 0.0).in_ellipse, 0.0);
 }
 
+TEST(LongestOff, RunsFromTheFirstEpochThatIsOffToTheFirstThatIsNot) {
+  std::vector<Epoch> epochs;
+  for (const double error : {0.0, 3.0, 0.0, 3.0, 2.0, 3.0, 0.0, 3.0}) {
+    epochs.push_back(epoch(static_cast<double>(epochs.size()), error, 0.0));
+  }
+  EXPECT_DOUBLE_EQ(*longest_off(epochs, 0.0, 2.0), 3.0);
+  EXPECT_DOUBLE_EQ(*longest_off(epochs, 5.0, 2.0), 1.0);
+  EXPECT_DOUBLE_EQ(*longest_off(epochs, 0.0, 4.0), 0.0);
+}
+
+TEST(LongestOff, WithoutEstimateCountsAsOffOnceThereWasOne) {
+  Epoch without = epoch(1.0, 0.0, 0.0);
+  without.valid = false;
+  EXPECT_FALSE(longest_off({without}, 0.0, 2.0));
+  EXPECT_DOUBLE_EQ(*longest_off({without, epoch(2.0, 0, 0)}, 0.0, 2.0), 0.0);
+  without.truth.stamp = 3.0;
+  EXPECT_DOUBLE_EQ(*longest_off({epoch(2.0, 0, 0), without, epoch(7.0, 0, 0)}, 0.0, 2.0), 4.0);
+}
+
 TEST(ScoreFixes, AreComparedWithTruthAtTheirOwnStamp) {
   Drive drive;
   drive.truth = {{0.0, {0.0, 0.0, 0.0}, true, false}, {1.0, {10.0, 0.0, 0.0}, true, true}};

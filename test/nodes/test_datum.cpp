@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "../evaluation/temporary_folder.hpp"
+#include "multipath_localization/core/parameters.hpp"
 #include "nodes/datum.hpp"
 
 namespace multipath_localization {
@@ -32,6 +34,35 @@ TEST(Datum, IsTheMedianOfTheFirstPlaces) {
   EXPECT_EQ(datum.map()->datum().latitude_deg, 48.1);
   EXPECT_EQ(datum.map()->datum().longitude_deg, 11.1);
   EXPECT_EQ(datum.map()->datum().altitude, 502.0);
+}
+
+TEST(Datum, MovesWhereItIsSet) {
+  Datum datum({52.5, 13.4}, 0.0);
+  datum.set({48.0, 11.0, 500.0});
+  EXPECT_EQ(datum.map()->datum().latitude_deg, 48.0);
+  EXPECT_THROW(datum.set({91.0, 11.0, 500.0}), std::invalid_argument);
+}
+
+TEST(Datum, IsFoundAgainByTheNextOne) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/datum.yaml";
+  Datum first({}, 0.0, file);
+  EXPECT_EQ(first.map(), nullptr);
+  first.add(1.0, {48.0, 11.0, 500.0});
+  Datum next({}, 0.0, file);
+  next.add(1.0, {49.0, 12.0, 600.0});
+  ASSERT_NE(next.map(), nullptr);
+  EXPECT_NEAR(next.map()->datum().latitude_deg, 48.0, 1e-9);
+  folder.write("datum.yaml", "datum: [48.0, 11");
+  EXPECT_THROW(Datum({}, 0.0, file), ParameterError);
+}
+
+TEST(Datum, HoldsWhereItCannotBeSaved) {
+  const TemporaryFolder folder;
+  folder.write("no_folder", "");
+  Datum datum({}, 0.0, folder.path() + "/no_folder/datum.yaml");
+  datum.add(1.0, {48.0, 11.0, 500.0});
+  EXPECT_NE(datum.map(), nullptr);
 }
 
 }  // namespace

@@ -49,6 +49,8 @@ TEST(ToMeasurement, KeepsTheKindAndFindsTheAntennas) {
 TEST(ToMeasurement, TakesALoneAntennaToBeAtTheBaseUnlessItMayNot) {
   GnssParameters strict;
   strict.require_antenna_transform = true;
+  GnssParameters given;
+  given.antenna = {0.4, -0.2};
   for (const GnssMessage& message : {GnssMessage(good_fix()), GnssMessage(good_epoch())}) {
     const GnssMessage lost = with_frame(message, "nowhere");
     EXPECT_EQ(read(lost).reason, Reason::kAccepted);
@@ -56,6 +58,10 @@ TEST(ToMeasurement, TakesALoneAntennaToBeAtTheBaseUnlessItMayNot) {
   }
   const auto fix = std::get<GnssFix>(read(with_frame(good_fix(), "nowhere")).measurement);
   EXPECT_EQ(fix.antenna_in_base, Eigen::Vector2d(0.0, 0.0));
+  const auto placed = std::get<GnssFix>(read(with_frame(good_fix(), "nowhere"), given).measurement);
+  EXPECT_EQ(placed.antenna_in_base, Eigen::Vector2d(0.4, -0.2));
+  const auto known = std::get<GnssFix>(read(good_fix(), given).measurement);
+  EXPECT_EQ(known.antenna_in_base, kAntenna) << "tf counts first";
 }
 
 TEST(ToMeasurement, NeedsToKnowBothOfTwoAntennas) {

@@ -54,6 +54,15 @@ TEST(LocalizationSettings, RefuseADatumThatIsNone) {
   EXPECT_EQ(refusal_of("{datum: [52.5, 13.4, 40]}"), "");
   EXPECT_NE(refusal_of("{datum: [52.5]}"), "");
   EXPECT_NE(refusal_of("{datum: [139.7, 35.6]}"), "") << "longitude first";
+  EXPECT_EQ(refusal_of("{datum_file: /tmp/datum.yaml}"), "");
+  EXPECT_NE(refusal_of("{datum_file: ~/datum.yaml}").find("not an absolute path"), std::string::npos);
+  EXPECT_NE(refusal_of("{datum_file: /tmp/datum.yaml, datum: [52.5, 13.4]}").find("datum_file"),
+            std::string::npos);
+}
+
+TEST(LocalizationSettings, RefuseAnAntennaThatIsNowhere) {
+  EXPECT_EQ(refusal_of("{antenna: [0.4, -0.2]}"), "");
+  EXPECT_NE(refusal_of("{antenna: [0.4]}").find("antenna"), std::string::npos);
 }
 
 TEST(LocalizationSettings, AskTheEstimatorForTheKindsItUses) {

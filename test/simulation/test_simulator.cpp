@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "multipath_localization/simulation/faults.hpp"
 #include "multipath_localization/simulation/simulator.hpp"
 
 namespace multipath_localization {
@@ -53,6 +54,26 @@ TEST(Simulator, APairOfAntennasDisturbsNothingElse) {
   SimulatorParameters parameters = noisy();
   parameters.dual_receiver.rate = 10.0;
   EXPECT_EQ(run(parameters, 7), run(noisy(), 7));
+}
+
+TEST(Simulator, FaultsSpoilFixesAndOdometry) {
+  SimulatorParameters parameters;
+  parameters.faults.fix.outages.push_back({2.0, 3.0});
+  parameters.faults.fix.statuses.emplace_back();
+  parameters.faults.odometry.slips = {{2.0, 3.0, -1.0}};
+  Simulator simulator(parameters, 1);
+  for (int i = 0; i < 1000; ++i) {
+    const Readings readings = simulator.step({1.0, 0.0});
+    const bool there = simulator.time() > 1.99 && simulator.time() < 4.99;
+    if (there) {
+      EXPECT_TRUE(fixes_of(readings).empty());
+    }
+    if (readings.odometry && simulator.time() > 1.0) {
+      EXPECT_EQ(readings.odometry->speed == 0.0, there) << simulator.time();
+    }
+  }
+  EXPECT_EQ(simulator.claimed_status(1.0), -1);
+  EXPECT_FALSE(Simulator(SimulatorParameters{}, 1).claimed_status(1.0));
 }
 
 TEST(Simulator, PairsOfFixesTellThePose) {

@@ -20,6 +20,8 @@ TEST(SimulationStream, GivesEachPartOfTheWorldItsOwnNumbersAndNoneOfAFilters) {
                                            kDualReceiverStream,
                                            kZoneStream,
                                            kZoneStream + 1U,
+                                           kFaultZoneStream,
+                                           kFaultZoneStream + 1U,
                                            kConstellationStream,
                                            kReceiverClockStream,
                                            kReceiverLatencyStream,
@@ -27,9 +29,17 @@ TEST(SimulationStream, GivesEachPartOfTheWorldItsOwnNumbersAndNoneOfAFilters) {
                                            kSatelliteStream,
                                            kSatelliteStream + 1U,
                                            kWallStream,
-                                           kWallStream + 1U};
+                                           kWallStream + 1U,
+                                           kFixLossStream,
+                                           kFixDuplicateStream,
+                                           kFixSwapStream,
+                                           kFixSpikeStream,
+                                           kFixDelayStream,
+                                           kOdometryLossStream,
+                                           kFixColouredNoiseStream,
+                                           kFixWhiteNoiseStream};
   for (const std::uint32_t stream : streams) words.insert(RandomStream(1, 7, stream).word());
-  EXPECT_EQ(streams.size(), 18U);
+  EXPECT_EQ(streams.size(), 28U);
   EXPECT_EQ(words.size(), streams.size());
 }
 

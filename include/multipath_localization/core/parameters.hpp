@@ -73,7 +73,8 @@ void load(const YAML::Node& source, Parameters& value, const std::string& path =
 /// The same for a file. Throws ParameterError when it cannot be read.
 YAML::Node read_yaml(const std::string& file);
 
-/// The parameters as YAML, each with a comment `[unit] low..high: meaning`.
+/// The parameters as YAML, each with a comment `[unit] low..high: meaning`; below an empty list, commented
+/// out, what an item of it holds.
 template <class Parameters>
 std::string describe(Parameters value);
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "multipath_localization/evaluation/closed_loop.hpp"
 #include "multipath_localization/evaluation/estimator_variant.hpp"
 #include "multipath_localization/evaluation/parameter_overrides.hpp"
+#include "multipath_localization/simulation/faults.hpp"
 
 namespace multipath_localization {
 
@@ -23,7 +25,10 @@ struct Batch {
   std::uint64_t seeds = 1;  ///< 1..seeds
   std::size_t jobs = 1;     ///< runs at a time
   double score_from = 0.0;  ///< after the start of the stream [s]
+  double off_from = 2.0;    ///< error from which an estimate counts as off [m]
   RunSettings settings;
+  std::optional<FaultParameters> faults;  ///< of a recording; a scenario has its own
+  std::uint64_t fault_seed = 1;           ///< of the first run, counted on with the seeds
 };
 
 /// One run and what came of it.
@@ -33,12 +38,13 @@ struct RunRecord {
   std::uint64_t seed = 1;
   std::string failure;  ///< why it did not end, and then nothing below counts; empty when it did
   Score score;
-  Score fixes;       ///< of the fixes as they came
-  Course course;     ///< scenarios only
-  double cpu = 0.0;  ///< processor time of the thread, the simulator's included [s]
+  Score fixes;                        ///< of the fixes as they came
+  std::optional<double> longest_off;  ///< the estimate was off on end [s]
+  Course course;                      ///< scenarios only
+  double cpu = 0.0;                   ///< processor time of the thread, the simulator's included [s]
 
   std::vector<Epoch> epochs;  ///< of seed 1 only, to be drawn
-  Drive drive;                ///< of seed 1 of a scenario only
+  Drive drive;                ///< of seed 1 of a scenario, or of a recording with faults, only
 };
 
 /// Parameters of each estimator of the batch as YAML text: those of the scenario, over them the `overrides`

@@ -41,6 +41,10 @@ struct Score {
 /// Epochs stamped `from` or later. A figure that applies to no epoch is empty.
 Score score(const std::vector<Epoch>& epochs, double from);
 
+/// The longest time on end [s], from `from` on, that an estimate was off by `distance` [m] or more; epochs
+/// without estimate count as off once there was one. Nothing without a valid epoch.
+std::optional<double> longest_off(const std::vector<Epoch>& epochs, double from, double distance);
+
 /// The fixes themselves against truth at their own stamps; those without truth or before `from` do not count.
 /// The lever arm is carried by the true heading where there is one.
 Score score_fixes(const Drive& drive, double from);

@@ -9,7 +9,8 @@ namespace multipath_localization {
 
 /// The runs that ended as a JSON list, one object per run:
 /// {"source","estimator","seed","epochs","mean_m","rmse_m","median_m","p95_m","max_m","heading_rmse_rad",
-/// "rmse_shadow_m","rmse_open_m","nees_mean","cpu_s","fix_rmse_m","fix_rmse_shadow_m","fix_rmse_open_m"}, the
+/// "rmse_shadow_m","rmse_open_m","longest_off_s","nees_mean","cpu_s","fix_rmse_m","fix_rmse_shadow_m",
+/// "fix_rmse_open_m"}, the
 /// last three of the fixes as they are. A figure that does not apply is null.
 std::string to_json(const std::vector<RunRecord>& runs);
 

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <string>
 #include <vector>
 
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/pose.hpp"
+#include "multipath_localization/simulation/delivery_queue.hpp"
+#include "multipath_localization/simulation/gauss_markov.hpp"
 
 namespace multipath_localization {
 
@@ -61,10 +62,6 @@ class Receiver {
   [[nodiscard]] const ReceiverParameters& parameters() const { return parameters_; }
 
  private:
-  struct Delivery {
-    double time;
-    GnssFix fix;
-  };
   void measure(const Pose2& base_in_map, const Reception& reception, double time);
 
   ReceiverParameters parameters_;
@@ -72,8 +69,8 @@ class Receiver {
   std::uint64_t seed_;
   std::uint32_t steps_ = 0;
   std::int64_t emitted_ = 0;
-  Eigen::Vector2d coloured_ = Eigen::Vector2d::Zero();
-  std::deque<Delivery> under_way_;
+  GaussMarkov2 coloured_;
+  DeliveryQueue<GnssFix> under_way_;
 };
 
 }  // namespace multipath_localization

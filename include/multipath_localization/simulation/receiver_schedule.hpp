@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/simulation/delivery_queue.hpp"
 #include "multipath_localization/simulation/receiver.hpp"
 
 namespace multipath_localization {
@@ -25,16 +25,11 @@ class ReceiverSchedule {
   std::vector<Measurement> take(double time);
 
  private:
-  struct Delivery {
-    double time;
-    std::vector<Measurement> measured;
-  };
-
   ReceiverParameters parameters_;
   std::vector<OutageParameters> outages_;
   std::uint64_t seed_;
   std::int64_t epochs_ = 0;
-  std::deque<Delivery> under_way_;
+  DeliveryQueue<std::vector<Measurement>> under_way_;
 };
 
 }  // namespace multipath_localization

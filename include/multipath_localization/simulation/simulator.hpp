@@ -9,6 +9,7 @@
 #include "multipath_localization/simulation/building.hpp"
 #include "multipath_localization/simulation/constellations.hpp"
 #include "multipath_localization/simulation/dual_receiver.hpp"
+#include "multipath_localization/simulation/faults.hpp"
 #include "multipath_localization/simulation/odometer.hpp"
 #include "multipath_localization/simulation/raw_receiver.hpp"
 #include "multipath_localization/simulation/receiver.hpp"
@@ -34,6 +35,7 @@ struct SimulatorParameters {
   std::vector<ZoneParameters> zones;
   std::vector<BuildingParameters> buildings;
   std::vector<OutageParameters> outages;
+  FaultParameters faults;
 
   void fields(ParameterVisitor& field);
   [[nodiscard]] Geodetic datum() const { return {datum_latitude_deg, datum_longitude_deg, datum_altitude}; }
@@ -65,11 +67,14 @@ class Simulator {
   [[nodiscard]] const Eigen::Vector2d& bias() const { return reception_.bias; }
   /// The antenna is in a zone; by satellites: those in line of sight are not the majority of those received.
   [[nodiscard]] bool in_shadow() const { return reception_.in_shadow; }
+  /// The NavSatStatus that a fix of that stamp claims, where a fault makes it lie.
+  [[nodiscard]] std::optional<int> claimed_status(double stamp) const { return fix_faults_.status(stamp); }
   [[nodiscard]] const SimulatorParameters& parameters() const { return parameters_; }
 
  private:
   [[nodiscard]] Reception reception(const Eigen::Vector2d& antenna) const;
   std::vector<Measurement> receive(double duration);
+  std::vector<Measurement> spoilt(const std::vector<Measurement>& delivered);
 
   SimulatorParameters parameters_;
   std::int64_t steps_ = 0;
@@ -79,6 +84,8 @@ class Simulator {
   std::vector<Zone> zones_;
   std::optional<SatelliteReceiver> satellite_receiver_;
   Receiver receiver_;
+  FixFaults fix_faults_;
+  OdometryFaults odometry_faults_;
   Reception reception_;
 };
 

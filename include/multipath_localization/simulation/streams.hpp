@@ -13,13 +13,22 @@ enum SimulationStream : std::uint32_t {
   kReceiverStream,
   kReceiverNoiseStream,
   kDualReceiverStream,
-  kZoneStream = 0xF0001000U,  ///< plus the index of the zone
+  kZoneStream = 0xF0001000U,       ///< plus the index of the zone
+  kFaultZoneStream = 0xF0001800U,  ///< plus the index of the zone among the faults
   kConstellationStream = 0xF0002000U,
   kReceiverClockStream,
   kReceiverLatencyStream,
   kInterSystemStream,
   kSatelliteStream = 0xF0003000U,  ///< plus the index of the satellite
   kWallStream = 0xF0004000U,       ///< plus the index of the wall
+  kFixLossStream = 0xF0005000U,
+  kFixDuplicateStream,
+  kFixSwapStream,
+  kFixSpikeStream,
+  kFixDelayStream,
+  kOdometryLossStream,
+  kFixColouredNoiseStream = 0xF0006000U,  ///< plus the index of the noise
+  kFixWhiteNoiseStream = 0xF0007000U,     ///< plus the index of the noise
 };
 
 }  // namespace multipath_localization

@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/simulation/gauss_markov.hpp"
 #include "multipath_localization/simulation/polygon.hpp"
 
 namespace multipath_localization {
@@ -57,7 +59,7 @@ class Zone {
   std::uint32_t index_;
   std::uint32_t steps_ = 0;
   double direction_ = 0.0;
-  Eigen::Vector2d walk_ = Eigen::Vector2d::Zero();
+  std::optional<GaussMarkov2> walk_;
 };
 
 }  // namespace multipath_localization

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <sensor_msgs/NavSatFix.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/core/geodesy.hpp"
+#include "multipath_localization/simulation/faults.hpp"
+#include "nodes/odometry_reader.hpp"
+
+namespace multipath_localization {
+
+/// Parameters of fault_injector_node, and what `evaluate --faults` reads.
+struct FaultInjectorParameters {
+  int seed = 1;
+  std::vector<double> datum;
+  FaultParameters faults;
+
+  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude.
+  void fields(ParameterVisitor& field);
+};
+
+/// Spoils messages between sensors and whoever uses them. It lives by the stamps alone, the latest of which
+/// is now: the same messages in the same order give the same bytes. Time counts from the first stamp; a clock
+/// that goes back by more than a second starts everything afresh. Messages that no reader would take go
+/// through as they are, and so does what no fault changes.
+class FaultInjector {
+ public:
+  explicit FaultInjector(const FaultInjectorParameters& parameters) : parameters_(parameters) {}
+
+  /// What of the fixes comes out now that this one has come in. A position that a fault changes keeps its
+  /// altitude.
+  std::vector<sensor_msgs::NavSatFix> take(const sensor_msgs::NavSatFix& fix);
+
+  /// The odometry as it comes out, nothing when it is lost; `fixes` are those that come out by its stamp. The
+  /// pose is that which the spoilt motion adds up to; messages get lost after it was counted.
+  std::optional<nav_msgs::Odometry> take(const nav_msgs::Odometry& odometry,
+                                         std::vector<sensor_msgs::NavSatFix>& fixes);
+
+  /// A line for each fault that is there now, "none" for none.
+  [[nodiscard]] std::string active() const;
+
+ private:
+  /// Starts afresh or moves on.
+  void see(double stamp, bool restarted);
+  void begin(double stamp);
+  std::vector<sensor_msgs::NavSatFix> release();
+  [[nodiscard]] sensor_msgs::NavSatFix message_of(const SpoiltFix& spoilt) const;
+  [[nodiscard]] nav_msgs::Odometry message_of(const nav_msgs::Odometry& odometry,
+                                              const CheckedOdometry& checked);
+
+  FaultInjectorParameters parameters_;
+  std::optional<FixFaults> fix_faults_;
+  std::optional<OdometryFaults> odometry_faults_;
+  OdometryReader reader_{{}, ""};
+  std::optional<LocalFrame> map_;
+  double now_ = 0.0;
+  double last_fix_ = 0.0;                                      ///< stamp [s]
+  std::size_t taken_ = 0;                                      ///< fixes given to the faults
+  std::map<std::size_t, sensor_msgs::NavSatFix> taken_fixes_;  ///< those that are still needed
+  Pose2 last_in_odom_;                                         ///< as it came in
+  std::optional<Pose2> spoilt_in_odom_;                        ///< as it came out, once that differs
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <string>
+#include <vector>
+
+#include "nodes/fault_injector.hpp"
+
+namespace multipath_localization {
+
+/// `gps/fix` and `odom` in, `gps/fix_spoiled` and `odom_spoiled` out, and on `~faults`, latched, what is
+/// wrong with them now.
+class FaultInjectorNode {
+ public:
+  FaultInjectorNode(ros::NodeHandle node, ros::NodeHandle private_node,
+                    const FaultInjectorParameters& parameters);
+
+ private:
+  void publish(const std::vector<sensor_msgs::NavSatFix>& fixes);
+
+  FaultInjector injector_;
+  std::string told_;  ///< on `~faults`, last
+  ros::Publisher fix_out_, odometry_out_, faults_;
+  ros::Subscriber fix_in_, odometry_in_;
+};
+
+}  // namespace multipath_localization

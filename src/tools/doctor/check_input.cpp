@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <cmath>
+
+#include "multipath_localization/evaluation/metrics.hpp"
+#include "nodes/conversions.hpp"
+#include "tools/doctor/checks.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kSlowestFixes = 0.5;      // [Hz]
+constexpr double kSlowestOdometry = 10.0;  // [Hz]
+constexpr double kClockError = 1.0;        // of odometry, which comes in as soon as it is stamped [s]
+constexpr double kOtherClock = 10.0;       // no receiver is that late [s]
+constexpr char kSetTheClock[] =
+    "sudo chronyc makestep on every host, with chrony fed by NTP or by the receiver";
+
+/// One of the two inputs, as the checks that are the same for both see it.
+struct Input {
+  std::string argument;  ///< of localization.launch
+  std::string topic;     ///< as the node expects it
+  std::string found;     ///< where messages of the type are
+  std::string type;
+  std::vector<double> stamps;
+  std::vector<double> arrivals;
+  double slowest;  ///< rate [Hz]
+};
+
+template <class Message>
+Input input(const std::string& argument, const std::string& topic, const std::string& type,
+            const std::vector<Arrived<Message>>& messages, const Observations& seen, double slowest) {
+  Input result{argument, without_slash(topic), resolved(seen.types, topic, type), type, {}, {}, slowest};
+  for (const Arrived<Message>& arrived : messages) {
+    result.stamps.push_back(arrived.message.header.stamp.toSec());
+    result.arrivals.push_back(arrived.time);
+  }
+  return result;
+}
+
+std::vector<Input> inputs(const Observations& seen) {
+  return {input("fix", seen.fix_topic, "sensor_msgs/NavSatFix", seen.fixes, seen, kSlowestFixes),
+          input("odom", seen.odometry_topic, "nav_msgs/Odometry", seen.odometry, seen, kSlowestOdometry)};
+}
+
+std::string launch_with(const Observations& seen, const Input& in) {
+  return std::string("roslaunch multipath_localization ") +
+         (seen.from_bag ? "bag.launch bag:=FILE " + in.argument + "_topic:=/"
+                        : "localization.launch " + in.argument + ":=/") +
+         in.found;
+}
+
+Finding topic_of(const Observations& seen, const Input& in) {
+  if (in.found == in.topic && !in.stamps.empty()) {
+    return pass(text("%s: %zu messages on /%s", in.argument.c_str(), in.stamps.size(), in.found.c_str()));
+  }
+  const auto named = seen.types.find(in.topic);
+  if (named != seen.types.end() && named->second != in.type) {
+    return fix("/" + in.topic + " is a " + named->second + ", not a " + in.type,
+               in.found != in.topic ? launch_with(seen, in) : "have the driver publish " + in.type);
+  }
+  if (in.found != in.topic) {
+    return fix("nothing on /" + in.topic + ", but " + in.type + " on /" + in.found, launch_with(seen, in));
+  }
+  return fix("no message on /" + in.topic + " (" + in.type + ")",
+             "start the driver, or name the topic: --" + in.argument + "-topic TOPIC");
+}
+
+Finding rate_of(const Input& in) {
+  const double span = in.arrivals.back() - in.arrivals.front();
+  const double rate = static_cast<double>(in.arrivals.size() - 1) / std::max(span, 1e-3);
+  double gap = 0.0;
+  for (std::size_t i = 1; i < in.arrivals.size(); ++i)
+    gap = std::max(gap, in.arrivals[i] - in.arrivals[i - 1]);
+  const std::string seen = text("%s: %.1f Hz, longest gap %.2f s", in.argument.c_str(), rate, gap);
+  if (rate < in.slowest) return fix(seen, text("set the driver's rate to %g Hz or more", in.slowest));
+  const double bridged = OdometryParameters{}.max_gap;
+  if (in.argument == "odom" && gap > bridged) {
+    return fix(seen, text("find what stops it, or bridge it: localization.yaml, odometry: {max_gap: %.0f}",
+                          std::ceil(gap)));
+  }
+  return pass(seen);
+}
+
+Finding stamps_of(const Input& in) {
+  std::size_t zero = 0, repeated = 0, backwards = 0;
+  for (std::size_t i = 0; i < in.stamps.size(); ++i) {
+    if (in.stamps[i] == 0.0) ++zero;
+    if (i == 0) continue;
+    if (in.stamps[i] == in.stamps[i - 1]) ++repeated;
+    if (in.stamps[i] < in.stamps[i - 1]) ++backwards;
+  }
+  const std::string what = in.argument + ": ";
+  if (zero > 0) {
+    return fix(what + text("%zu stamps of zero", zero),
+               "in the driver: msg.header.stamp = ros::Time::now();");
+  }
+  if (backwards > 0) {
+    return fix(
+        what + text("%zu stamps go back", backwards),
+        "run one driver on this topic only: rostopic info /" + in.found + ", or cut the bag: rosbag filter");
+  }
+  if (repeated > 0) {
+    return fix(what + text("%zu stamps come twice", repeated),
+               "run one driver on this topic only: rostopic info /" + in.found);
+  }
+  return pass(what + "stamps increase");
+}
+
+/// Median of arrival - stamp [s].
+double lateness(const Input& in) {
+  std::vector<double> late;
+  for (std::size_t i = 0; i < in.stamps.size(); ++i) late.push_back(in.arrivals[i] - in.stamps[i]);
+  return quantile(late, 0.5);
+}
+
+}  // namespace
+
+Findings check_topics(const Observations& seen) {
+  Findings all;
+  for (const Input& in : inputs(seen)) all.push_back(topic_of(seen, in));
+  return all;
+}
+
+Findings check_rates(const Observations& seen) {
+  Findings all;
+  for (const Input& in : inputs(seen)) {
+    if (in.arrivals.size() > 1) all.push_back(rate_of(in));
+  }
+  return all;
+}
+
+Findings check_stamps(const Observations& seen) {
+  Findings all;
+  for (const Input& in : inputs(seen)) {
+    if (!in.stamps.empty()) all.push_back(stamps_of(in));
+  }
+  return all;
+}
+
+Findings check_clocks(const Observations& seen) {
+  const std::vector<Input> both = inputs(seen);
+  if (both[0].stamps.empty() || both[1].stamps.empty()) return {};
+  const double odometry_late = lateness(both[1]);
+  const double behind = lateness(both[0]) - odometry_late;
+  const LocalizerParameters node;
+  Findings all;
+  if (behind < -node.future_tolerance || behind > kOtherClock) {
+    all.push_back(fix(text("fix: stamped %.2f s %s the odometry that comes in with it: two clocks",
+                           std::abs(behind), behind < 0.0 ? "ahead of" : "behind"),
+                      kSetTheClock));
+  } else if (behind > node.history_length) {
+    all.push_back(fix(
+        text("fix: %.1f s late against the odometry, of which %.0f s are kept", behind, node.history_length),
+        text("localization.yaml, localizer: {history_length: %.0f}", std::ceil(behind) + 1.0)));
+  } else {
+    all.push_back(pass(text("fix: %.2f s late against the odometry", behind)));
+  }
+  if (!seen.from_bag && std::abs(odometry_late) > kClockError) {
+    all.push_back(fix(text("odom: stamped %.1f s %s the host's clock", std::abs(odometry_late),
+                           odometry_late < 0.0 ? "ahead of" : "behind"),
+                      kSetTheClock));
+  }
+  return all;
+}
+
+Findings check_simulated_time(const Observations& seen) {
+  if (seen.from_bag) {
+    if (!seen.clock) return {};
+    return {fix("the bag holds /clock, which fights with rosbag play --clock",
+                "rosbag filter IN.bag OUT.bag \"topic != '/clock'\"")};
+  }
+  if (seen.clock && !seen.use_sim_time) {
+    return {fix("somebody publishes /clock, but /use_sim_time is not set",
+                "before any node starts: rosparam set use_sim_time true")};
+  }
+  if (!seen.clock && seen.use_sim_time) {
+    return {fix("/use_sim_time is set, but nobody publishes /clock, so time stands",
+                "rosbag play --clock FILE, or on a robot: rosparam set use_sim_time false")};
+  }
+  return {pass(seen.clock ? "time is simulated, and all know" : "time is the host's")};
+}
+
+}  // namespace multipath_localization

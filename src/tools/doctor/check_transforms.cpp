@@ -1,0 +1,194 @@
+#include <tf2/LinearMath/Quaternion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "nodes/conversions.hpp"
+#include "tools/doctor/checks.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kFarthestAntenna = 5.0;  // [m]
+constexpr double kLargestTurn = 0.09;     // of the antenna's frame, 5 degrees [rad]
+
+std::string joined(const std::set<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : " and ") + name;
+  return all;
+}
+
+/// Who broadcasts parent -> child, by child and parent.
+using Edges = std::map<std::string, std::map<std::string, std::set<std::string>>>;
+
+Edges edges(const Observations& seen) {
+  Edges all;
+  for (const Broadcast& broadcast : seen.transforms) {
+    const std::string parent = without_slash(broadcast.transform.header.frame_id);
+    all[without_slash(broadcast.transform.child_frame_id)][parent].insert(broadcast.node);
+  }
+  return all;
+}
+
+std::string place_antenna(const Observations& seen, const std::string& frame) {
+  return "localization.yaml: antenna: [X, Y]   (X forwards, Y to the left, in metres), or a static "
+         "transform " +
+         seen.frames.base_link_frame + " -> " + frame;
+}
+
+/// The names a field takes over all messages.
+template <class Message, class Field>
+std::set<std::string> names(const std::vector<Arrived<Message>>& messages, const Field& field) {
+  std::set<std::string> all;
+  for (const Arrived<Message>& arrived : messages) all.insert(field(arrived.message));
+  return all;
+}
+
+Finding frame_of(const std::string& what, const std::string& frame, const std::string& expected,
+                 const std::string& parameter) {
+  if (frame.empty())
+    return fix(what + " is empty", "in the odometry driver: " + what + " = \"" + expected + "\"");
+  if (frame.front() == '/') {
+    return fix(what + " is " + frame + ", which tf2 does not know with its slash",
+               "in the driver: " + what + " = \"" + without_slash(frame) + "\"");
+  }
+  if (frame != expected) {
+    return fix(what + " is " + frame + ", the node has " + expected,
+               "localization.yaml: " + parameter + ": " + frame);
+  }
+  return pass(what + " is " + frame);
+}
+
+Finding frame_of_fix(const Observations& seen, const std::string& frame) {
+  if (frame.empty()) {
+    return fix("fix: header.frame_id is empty, so the antenna is taken to be at the base",
+               "in the receiver's driver: frame_id: gps, and " + place_antenna(seen, "gps"));
+  }
+  if (frame.front() == '/') {
+    return fix("fix: header.frame_id is " + frame + ", which tf2 does not know with its slash",
+               "in the receiver's driver: frame_id: " + without_slash(frame));
+  }
+  return pass("fix: header.frame_id is " + frame);
+}
+
+/// Two parents or two broadcasters of a frame, empty for none.
+std::string conflict_of(const std::string& child,
+                        const std::map<std::string, std::set<std::string>>& parents) {
+  if (parents.size() == 1) {
+    const auto& [parent, nodes] = *parents.begin();
+    return nodes.size() > 1 ? parent + " -> " + child + " comes from " + joined(nodes) : "";
+  }
+  std::string who;
+  for (const auto& [parent, nodes] : parents) {
+    who += (who.empty() ? "" : ", ") + parent + " (by " + joined(nodes) + ")";
+  }
+  return child + " has two parents: " + who;
+}
+
+/// Of a node that broadcasts that edge to odom.
+Finding placed_by(const Observations& seen, const std::string& edge, const std::string& node) {
+  if (seen.from_bag) {
+    return fix(
+        edge + " is in the bag" + (node.empty() ? "" : ", by " + node) + ", and will fight with ours",
+        "play it by bag.launch, which drops it: roslaunch multipath_localization bag.launch bag:=FILE");
+  }
+  if (seen.types.count(without_slash(node) + "/fix_report") > 0) {
+    return pass(edge + " is ours, by " + node);
+  }
+  return fix(edge + " is broadcast by " + node,
+             "rosnode kill " + node + ", or localization.launch publish_tf:=false");
+}
+
+/// Of an antenna that tf knows.
+Finding antenna_at(const Observations& seen, const geometry_msgs::TransformStamped& antenna) {
+  const std::string frame = without_slash(antenna.child_frame_id);
+  const std::string parent = without_slash(antenna.header.frame_id);
+  const geometry_msgs::Vector3& at = antenna.transform.translation;
+  const geometry_msgs::Quaternion& q = antenna.transform.rotation;
+  const double turn = tf2::Quaternion(q.x, q.y, q.z, q.w).getAngleShortestPath();
+  const std::string what =
+      text("tf: %s is at %.2f, %.2f, %.2f in %s", frame.c_str(), at.x, at.y, at.z, parent.c_str());
+  if (!(turn <= kLargestTurn)) {
+    return fix(what + text(", turned by %.0f degrees, which an antenna is not", turn * 180.0 / kPi),
+               text("rosrun tf2_ros static_transform_publisher %g %g %g 0 0 0 %s %s", at.x, at.y, at.z,
+                    parent.c_str(), frame.c_str()));
+  }
+  if (!(std::hypot(at.x, at.y) <= kFarthestAntenna)) {
+    return fix(what + ", which is off the robot", place_antenna(seen, frame));
+  }
+  return pass(what);
+}
+
+Finding antenna_in(const Observations& seen, const std::string& frame) {
+  if (frame == seen.frames.base_link_frame) return pass("fix: the antenna is at the base, as its frame says");
+  const auto known = std::find_if(seen.transforms.rbegin(), seen.transforms.rend(), [&](const Broadcast& b) {
+    return without_slash(b.transform.child_frame_id) == frame;
+  });
+  if (known == seen.transforms.rend() && !seen.antenna.empty()) {
+    return pass(text("fix: the antenna is at %.2f, %.2f on the base, by the parameter antenna",
+                     seen.antenna[0], seen.antenna[1]));
+  }
+  if (known == seen.transforms.rend()) {
+    return fix("tf: nobody says where " + frame + " is on the robot", place_antenna(seen, frame));
+  }
+  return antenna_at(seen, known->transform);
+}
+
+}  // namespace
+
+Findings check_frames(const Observations& seen) {
+  Findings all;
+  for (const std::string& frame : names(seen.fixes, [](const auto& m) { return m.header.frame_id; })) {
+    all.push_back(frame_of_fix(seen, frame));
+  }
+  for (const std::string& frame : names(seen.odometry, [](const auto& m) { return m.header.frame_id; })) {
+    if (without_slash(frame) == seen.frames.map_frame) {
+      all.push_back(
+          fix("odom: header.frame_id is " + frame + ": this is the output of a localisation, not odometry",
+              "odom:=TOPIC of the base driver, whose frame is " + seen.frames.odom_frame));
+    } else {
+      all.push_back(frame_of("odom: header.frame_id", frame, seen.frames.odom_frame, "odom_frame"));
+    }
+  }
+  for (const std::string& frame : names(seen.odometry, [](const auto& m) { return m.child_frame_id; })) {
+    all.push_back(frame_of("odom: child_frame_id", frame, seen.frames.base_link_frame, "base_link_frame"));
+  }
+  return all;
+}
+
+Findings check_parents(const Observations& seen) {
+  Findings all;
+  for (const auto& [child, parents] : edges(seen)) {
+    const std::string conflict = conflict_of(child, parents);
+    if (!conflict.empty())
+      all.push_back(fix("tf: " + conflict, "stop one of them, as by publish_tf: false in its parameters"));
+  }
+  if (all.empty() && !seen.transforms.empty())
+    all.push_back(pass("tf: every frame has one parent and one broadcaster"));
+  return all;
+}
+
+Findings check_map_to_odom(const Observations& seen) {
+  const Edges all = edges(seen);
+  const auto odom = all.find(seen.frames.odom_frame);
+  if (odom == all.end()) return {pass("tf: nobody else places " + seen.frames.odom_frame)};
+  Findings found;
+  for (const auto& [parent, nodes] : odom->second) {
+    const std::string edge = "tf: " + parent + " -> " + seen.frames.odom_frame;
+    for (const std::string& node : nodes) found.push_back(placed_by(seen, edge, node));
+  }
+  return found;
+}
+
+Findings check_antenna(const Observations& seen) {
+  Findings all;
+  for (std::string frame : names(seen.fixes, [](const auto& m) { return m.header.frame_id; })) {
+    frame = without_slash(frame);
+    if (!frame.empty()) all.push_back(antenna_in(seen, frame));
+  }
+  return all;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "tools/doctor/finding.hpp"
+#include "tools/doctor/observations.hpp"
+
+namespace multipath_localization {
+
+/// Whether both topics are there, under the names the node expects and of the types it reads.
+Findings check_topics(const Observations& seen);
+/// Whether there are enough messages a second, without long gaps.
+Findings check_rates(const Observations& seen);
+/// Stamps of zero, twice the same or going back.
+Findings check_stamps(const Observations& seen);
+/// Stamps against when the messages came in: the receiver's clock, the host's, latency.
+Findings check_clocks(const Observations& seen);
+/// /use_sim_time and /clock.
+Findings check_simulated_time(const Observations& seen);
+
+/// Frames of the messages against those of the node.
+Findings check_frames(const Observations& seen);
+/// A frame with two parents, or a transform from two nodes.
+Findings check_parents(const Observations& seen);
+/// map -> odom of somebody else, live or recorded.
+Findings check_map_to_odom(const Observations& seen);
+/// Where the antenna is: known, near, not turned.
+Findings check_antenna(const Observations& seen);
+
+/// Status of the fixes.
+Findings check_status(const Observations& seen);
+/// Declared covariances: zero, unknown, not finite, huge.
+Findings check_declared_covariance(const Observations& seen);
+/// Declared standard deviation against the scatter of the fixes about the odometry.
+Findings check_scatter(const Observations& seen);
+/// The same place to the bit while the robot drove.
+Findings check_frozen(const Observations& seen);
+/// A datum that is rounded or far away.
+Findings check_datum(const Observations& seen);
+
+/// Twist of the odometry against the differences of its poses: empty, sign, scale.
+Findings check_twist(const Observations& seen);
+/// Turns of odometry against turns of the course of the fixes: mirrored, or NED.
+Findings check_turns(const Observations& seen);
+/// Way by odometry against way by fixes: scale.
+Findings check_scale(const Observations& seen);
+
+/// All of them, in this order.
+Findings diagnose(const Observations& seen);
+
+}  // namespace multipath_localization

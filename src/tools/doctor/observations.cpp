@@ -1,0 +1,67 @@
+#include "tools/doctor/observations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "nodes/conversions.hpp"
+#include "nodes/odometry_reader.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+std::vector<GnssFix> fixes_of(const Observations& seen) {
+  std::vector<GnssFix> fixes;
+  std::optional<LocalFrame> map;
+  const FixParameters parameters;
+  for (const auto& arrived : seen.fixes) {
+    if (check(arrived.message, parameters) != Reason::kAccepted) continue;
+    if (!map) map.emplace(to_geodetic(arrived.message));
+    const CheckedFix checked = to_fix(arrived.message, *map, parameters);
+    const bool in_order = fixes.empty() || checked.fix.stamp > fixes.back().stamp;
+    if (checked.reason == Reason::kAccepted && in_order) fixes.push_back(checked.fix);
+  }
+  return fixes;
+}
+
+std::vector<OdometryIncrement> increments_of(const Observations& seen) {
+  std::vector<OdometryIncrement> increments;
+  OdometryReader reader({}, seen.frames.map_frame);
+  for (const auto& arrived : seen.odometry) {
+    const CheckedOdometry checked = reader.read(arrived.message);
+    if (checked.restarted) increments.clear();
+    if (checked.reason == Reason::kAccepted) increments.push_back(checked.increment);
+  }
+  return increments;
+}
+
+/// Whether a localisation puts that out, in whatever namespace.
+bool is_output(const std::string& topic) {
+  constexpr std::array<std::string_view, 3> kOutputs = {"/gps/filtered", "/odometry/gps",
+                                                        "/odometry/filtered_map"};
+  const std::string name = "/" + topic;
+  return std::any_of(kOutputs.begin(), kOutputs.end(), [&](std::string_view output) {
+    return name.size() >= output.size() &&
+           name.compare(name.size() - output.size(), output.size(), output) == 0;
+  });
+}
+
+}  // namespace
+
+Motion motion_of(const Observations& seen) {
+  const std::vector<OdometryIncrement> increments = increments_of(seen);
+  return {fixes_of(seen), increments, OdometryTrack(increments)};
+}
+
+std::string resolved(const std::map<std::string, std::string>& types, const std::string& asked,
+                     const std::string& type) {
+  const auto named = types.find(without_slash(asked));
+  if (named != types.end() && named->second == type) return named->first;
+  const auto is_it = [&](const auto& topic) { return topic.second == type && !is_output(topic.first); };
+  const auto only = std::find_if(types.begin(), types.end(), is_it);
+  const bool several = std::count_if(types.begin(), types.end(), is_it) != 1;
+  return several ? without_slash(asked) : only->first;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <sensor_msgs/NavSatFix.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/evaluation/odometry_track.hpp"
+#include "nodes/localization_parameters.hpp"
+
+namespace multipath_localization {
+
+/// A message and when it came in.
+template <class Message>
+struct Arrived {
+  Message message;
+  double time = 0.0;  ///< on the host's clock, or the bag's [s]
+};
+
+/// A transform and the node that broadcast it.
+struct Broadcast {
+  geometry_msgs::TransformStamped transform;
+  std::string node;
+  bool is_static = false;
+};
+
+/// What was seen of a robot, live or in a bag.
+struct Observations {
+  std::string fix_topic = "gps/fix";
+  std::string odometry_topic = "odom";
+  FrameParameters frames;
+  std::map<std::string, std::string> types;  ///< of all topics, by name without leading slash
+  std::vector<Arrived<sensor_msgs::NavSatFix>> fixes;
+  std::vector<Arrived<nav_msgs::Odometry>> odometry;
+  std::vector<Broadcast> transforms;
+  std::vector<double> datum;    ///< of the parameters, empty for none
+  std::vector<double> antenna;  ///< of the parameters, empty for none
+  bool from_bag = true;
+  bool use_sim_time = false;  ///< live: the parameter /use_sim_time
+  bool clock = false;         ///< somebody publishes /clock, or it was recorded
+};
+
+/// The usable fixes in a map with origin at the first of them, antenna at the base, and the usable odometry,
+/// as the localization node reads them.
+struct Motion {
+  std::vector<GnssFix> fixes;
+  std::vector<OdometryIncrement> increments;
+  OdometryTrack track;
+};
+Motion motion_of(const Observations& seen);
+
+/// The name `asked` if there is such a topic, else the only topic of that type that is not the output of a
+/// localisation, else `asked`.
+std::string resolved(const std::map<std::string, std::string>& types, const std::string& asked,
+                     const std::string& type);
+
+}  // namespace multipath_localization

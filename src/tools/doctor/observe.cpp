@@ -1,0 +1,121 @@
+#include "tools/doctor/observe.hpp"
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <rosgraph_msgs/Clock.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include "nodes/conversions.hpp"
+#include "nodes/parameter_server.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kFirstTick = 2.0;  // of a simulated clock at the latest [s]
+
+void take_parameters(const YAML::Node& source, Observations& seen) {
+  const LocalizationParameters parameters = LocalizationSettings::from(source).parameters;
+  seen.frames = parameters.frames;
+  seen.datum = parameters.datum;
+  seen.antenna = parameters.gnss.antenna;
+}
+
+Observations begin(const ObservationRequest& request) {
+  Observations seen;
+  seen.fix_topic = request.fix_topic;
+  seen.odometry_topic = request.odometry_topic;
+  if (!request.parameters.empty()) take_parameters(read_yaml(request.parameters), seen);
+  return seen;
+}
+
+std::string fix_topic_of(const Observations& seen) {
+  return resolved(seen.types, seen.fix_topic, ros::message_traits::datatype<sensor_msgs::NavSatFix>());
+}
+
+std::string odometry_topic_of(const Observations& seen) {
+  return resolved(seen.types, seen.odometry_topic, ros::message_traits::datatype<nav_msgs::Odometry>());
+}
+
+void take(const tf2_msgs::TFMessage& message, const std::string& node, bool is_static, Observations& seen) {
+  for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+    seen.transforms.push_back({transform, node, is_static});
+  }
+}
+
+/// Takes what comes in for `seconds`. Whether /clock ticks shows in its messages alone: a player without a
+/// clock advertises it too.
+void listen(double seconds, Observations& seen) {
+  using Transforms = ros::MessageEvent<tf2_msgs::TFMessage const>;
+  const auto now = [] { return ros::Time::now().toSec(); };
+  const boost::function<void(const sensor_msgs::NavSatFix&)> on_fix = [&](const auto& fix) {
+    seen.fixes.push_back({fix, now()});
+  };
+  const boost::function<void(const nav_msgs::Odometry&)> on_odometry = [&](const auto& odometry) {
+    seen.odometry.push_back({odometry, now()});
+  };
+  const boost::function<void(const rosgraph_msgs::Clock&)> on_clock = [&](const auto&) { seen.clock = true; };
+  const auto on_transforms = [&](bool is_static) {
+    return boost::function<void(const Transforms&)>([&seen, is_static](const Transforms& event) {
+      take(*event.getConstMessage(), event.getPublisherName(), is_static, seen);
+    });
+  };
+  ros::NodeHandle node;
+  ros::Time::waitForValid(ros::WallDuration(kFirstTick));
+  const std::vector<ros::Subscriber> subscribers = {
+      node.subscribe<sensor_msgs::NavSatFix>("/" + fix_topic_of(seen), 1000, on_fix),
+      node.subscribe<nav_msgs::Odometry>("/" + odometry_topic_of(seen), 1000, on_odometry),
+      node.subscribe<rosgraph_msgs::Clock>("/clock", 10, on_clock),
+      node.subscribe<tf2_msgs::TFMessage>("/tf", 1000, on_transforms(false)),
+      node.subscribe<tf2_msgs::TFMessage>("/tf_static", 1000, on_transforms(true))};
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
+  while (ros::ok() && ros::WallTime::now() < end) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
+  }
+}
+
+}  // namespace
+
+Observations observe_bag(const std::string& file, const ObservationRequest& request) {
+  Observations seen = begin(request);
+  const rosbag::Bag bag(file);
+  rosbag::View view(bag);
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    seen.types[without_slash(connection->topic)] = connection->datatype;
+  }
+  seen.clock = seen.types.count("clock") > 0;
+  const std::string fix_topic = fix_topic_of(seen);
+  const std::string odometry_topic = odometry_topic_of(seen);
+  for (const rosbag::MessageInstance& message : view) {
+    const std::string topic = without_slash(message.getTopic());
+    const double time = message.getTime().toSec();
+    if (topic == fix_topic) {
+      if (const auto fix = message.instantiate<sensor_msgs::NavSatFix>()) seen.fixes.push_back({*fix, time});
+    }
+    if (topic == odometry_topic) {
+      if (const auto odom = message.instantiate<nav_msgs::Odometry>()) seen.odometry.push_back({*odom, time});
+    }
+    if (topic == "tf" || topic == "tf_static") {
+      const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
+      if (transforms) take(*transforms, message.getCallerId(), topic == "tf_static", seen);
+    }
+  }
+  return seen;
+}
+
+Observations observe_live(const ObservationRequest& request) {
+  Observations seen = begin(request);
+  seen.from_bag = false;
+  const YAML::Node parameters = read_parameters(ros::NodeHandle(request.node));
+  if (parameters && request.parameters.empty()) take_parameters(parameters, seen);
+  ros::param::get("/use_sim_time", seen.use_sim_time);
+  ros::master::V_TopicInfo topics;
+  ros::master::getTopics(topics);
+  for (const ros::master::TopicInfo& topic : topics) seen.types[without_slash(topic.name)] = topic.datatype;
+  listen(request.seconds, seen);
+  return seen;
+}
+
+}  // namespace multipath_localization

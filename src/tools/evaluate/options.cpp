@@ -1,0 +1,78 @@
+#include "tools/evaluate/options.hpp"
+
+namespace multipath_localization {
+
+namespace po = boost::program_options;
+
+const char* const kAfterwards = R"(
+The table has one line per estimator: means over the seeds, in metres where nothing else is said.
+  epochs         truth samples scored; 'without' those for which there was no estimate, which are not
+  95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, where they are not;
+                 by satellites: where those in line of sight are not the majority of those received, where they are
+  off s <=       longest time on end that the estimate was off by --off-from or more, in the worst seed
+  NEES           error squared over declared variance, 2 is ideal; 'in 95 %' [%] inside the declared ellipse
+  waypoints >=   passed by the follower in the seed with the fewest
+  missed by <=   the farthest the robot truly was from a waypoint it passed, in the worst seed
+Exit status: 0 when every run ended, 1 when one did not, 2 when the command line or the data cannot be used.
+)";
+
+po::options_description stream_options() {
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  po::options_description options("One stream", 110);
+  const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
+  add("drive", text("DIR"),
+      "a recording: odometry.csv, truth.csv, and fix.csv or pseudoranges.csv or both; without odometry.csv "
+      "it "
+      "moves by Doppler, without truth.csv nothing is scored");
+  add("bag", text("FILE"), "a recording: NavSatFix or GnssEpoch, Odometry, truth as PoseStamped or Odometry");
+  add("scenario", text("NAME"),
+      "a simulation, steered on the estimate unless it says otherwise: config/scenarios/NAME.yaml, or a "
+      "file");
+  add("fix-topic", text("TOPIC"),
+      "of the bag, with or without leading slash; gps/fix, or the only NavSatFix");
+  add("epoch-topic", text("TOPIC"), "gnss/epoch, or the only GnssEpoch");
+  add("left-topic", text("TOPIC"), "NavSatFix of the left one of two antennas; gps/left/fix");
+  add("right-topic", text("TOPIC"), "of the right one; gps/right/fix");
+  add("odom-topic", text("TOPIC"), "odom, or the only Odometry besides truth");
+  add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
+  add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
+  add("faults", text("FILE"),
+      "spoil fixes and odometry by config/fault_injector.yaml, ready in config/faults; of a recording the "
+      "first "
+      "run's faults are those of its seed, the next run's of the next, zones lie in the frame of truth");
+  add("datum", text("LAT,LON[,ALT]"),
+      "origin of the frame of a bag's truth [deg, m]; left out: as a static transform earth -> that frame "
+      "has "
+      "it, else where the median of fix - truth is zero, over the fixes in open sky if a shadow topic tells "
+      "which those are, else over all");
+  return options;
+}
+
+po::options_description run_options() {
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  const auto number = [](const char* name, int value) {
+    return po::value<int>()->default_value(value)->value_name(name);
+  };
+  po::options_description options("Runs and results", 110);
+  const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
+  add("estimators", text("A,B"),
+      "names, or 'all'; left out: the default estimator. With parameters of its own as NAME{KEY: VALUE, "
+      "...}, "
+      "under a name of its own as LABEL=NAME{KEY: VALUE, ...}");
+  add("seeds", number("N", 1), "run seeds 1..N");
+  add("jobs", number("N", 1), "runs at a time; changes no result");
+  add("known-start", "tell the estimators the true pose at the start; it is unknown otherwise");
+  add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
+      "a parameter of all estimators, of one as NAME.KEY, of the stream they are put on as localizer.KEY, or "
+      "of "
+      "a scenario as simulator.KEY and steering.KEY; nested by dots; may be repeated");
+  add("off-from", po::value<double>()->default_value(2.0)->value_name("M"),
+      "the estimate counts as off from an error of M metres on");
+  add("score-from", po::value<double>()->default_value(0.0)->value_name("S"), "score from S seconds on");
+  add("json", text("FILE"), "write the figures of each run");
+  add("plot", text("FILE.png"), "draw seed 1: trajectories, error and declared error over time");
+  add("help", "print this");
+  return options;
+}
+
+}  // namespace multipath_localization

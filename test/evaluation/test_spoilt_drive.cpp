@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include "multipath_localization/evaluation/spoilt_drive.hpp"
+
+namespace multipath_localization {
+namespace {
+
+constexpr double kStart = 1e9;
+
+/// Ten seconds of odometry at 10 Hz and fixes at 2 Hz that arrive at once, with an epoch beside each.
+Drive drive() {
+  Drive drive;
+  for (int i = 0; i <= 100; ++i) {
+    const double stamp = kStart + 0.1 * i;
+    drive.odometry.push_back({stamp, 0.1, 1.0, 0.0});
+    if (i % 5 != 0) continue;
+    GnssFix fix;
+    fix.stamp = stamp;
+    fix.position = {0.1 * i, 0.0};
+    PseudorangeEpoch epoch;
+    epoch.stamp = stamp;
+    drive.measurements.push_back({fix, stamp});
+    drive.measurements.push_back({epoch, stamp});
+  }
+  return drive;
+}
+
+TEST(SpoiltDrive, WithoutFaultsIsTheDrive) {
+  const Drive clean = drive();
+  const Drive same = spoilt(clean, {}, 1);
+  ASSERT_EQ(same.odometry.size(), clean.odometry.size());
+  ASSERT_EQ(same.measurements.size(), clean.measurements.size());
+  for (std::size_t i = 0; i < clean.measurements.size(); ++i) {
+    EXPECT_EQ(same.measurements[i].measurement.index(), clean.measurements[i].measurement.index());
+    EXPECT_EQ(same.measurements[i].arrival, clean.measurements[i].arrival);
+  }
+}
+
+TEST(SpoiltDrive, FaultsCountFromTheStartOfTheDrive) {
+  FaultParameters faults;
+  faults.fix.outages.push_back({2.0, 3.0});
+  faults.odometry.slips = {{2.0, 3.0, 1.0}};
+  const Drive out = spoilt(drive(), faults, 1);
+  for (const GnssFix& fix : out.fixes()) {
+    EXPECT_TRUE(fix.stamp < kStart + 1.99 || fix.stamp > kStart + 4.99);
+  }
+  EXPECT_EQ(out.fixes().size(), 21U - 6U);
+  EXPECT_EQ(out.odometry[18].speed, 1.0) << "1.9 s after the start of the first increment";
+  EXPECT_EQ(out.odometry[30].speed, 2.0);
+}
+
+TEST(SpoiltDrive, LateFixesArriveLateAmongTheRest) {
+  FaultParameters faults;
+  faults.fix.delays.emplace_back();
+  faults.fix.delays.back().delay = 0.7;
+  const Drive out = spoilt(drive(), faults, 1);
+  ASSERT_EQ(out.measurements.size(), drive().measurements.size());
+  double before = 0.0;
+  for (const RecordedMeasurement& recorded : out.measurements) {
+    const bool fix = std::holds_alternative<GnssFix>(recorded.measurement);
+    EXPECT_NEAR(recorded.arrival - stamp_of(recorded.measurement), fix ? 0.7 : 0.0, 1e-6);
+    EXPECT_GE(recorded.arrival, before);
+    before = recorded.arrival;
+  }
+}
+
+TEST(SpoiltDrive, NoReaderTakesAFixThatSaysItIsNone) {
+  FaultParameters faults;
+  faults.fix.statuses.emplace_back();
+  EXPECT_TRUE(spoilt(drive(), faults, 1).fixes().empty());
+  faults.fix.statuses.back().status = 2;
+  EXPECT_EQ(spoilt(drive(), faults, 1).fixes().size(), 21U);
+}
+
+}  // namespace
+}  // namespace multipath_localization

@@ -1,0 +1,71 @@
+#include "found.hpp"
+#include "healthy_robot.hpp"
+#include "tools/doctor/checks.hpp"
+
+namespace multipath_localization {
+namespace {
+
+TEST(CheckFrames, FindEmptyAndSlashedFramesOfFixes) {
+  Observations seen = healthy_robot();
+  EXPECT_TRUE(Passes(check_frames(seen)));
+  seen.fixes[0].message.header.frame_id = "";
+  EXPECT_TRUE(ToFix(check_frames(seen), "header.frame_id is empty", "antenna: [X, Y]"));
+  seen.fixes[0].message.header.frame_id = "/gps";
+  EXPECT_TRUE(ToFix(check_frames(seen), "is /gps", "frame_id: gps"));
+}
+
+TEST(CheckFrames, NameTheParameterForOtherFramesOfOdometry) {
+  Observations seen = healthy_robot();
+  for (auto& odometry : seen.odometry) odometry.message.child_frame_id = "base_footprint";
+  EXPECT_TRUE(
+      ToFix(check_frames(seen), "child_frame_id is base_footprint", "base_link_frame: base_footprint"));
+  for (auto& odometry : seen.odometry) odometry.message.header.frame_id = "wheel_odom";
+  EXPECT_TRUE(ToFix(check_frames(seen), "frame_id is wheel_odom", "odom_frame: wheel_odom"));
+  for (auto& odometry : seen.odometry) odometry.message.header.frame_id = "/map";
+  EXPECT_TRUE(ToFix(check_frames(seen), "output of a localisation", "odom:="));
+  for (auto& odometry : seen.odometry) odometry.message.header.frame_id = "";
+  EXPECT_TRUE(ToFix(check_frames(seen), "odom: header.frame_id is empty", "\"odom\""));
+}
+
+TEST(CheckParents, FindTwoParentsAndTwoBroadcasters) {
+  Observations seen = healthy_robot();
+  EXPECT_TRUE(Passes(check_parents(seen)));
+  seen.transforms.push_back(broadcast("base_footprint", "base_link", "/state_publisher"));
+  EXPECT_TRUE(ToFix(check_parents(seen),
+                    "base_link has two parents: base_footprint (by /state_publisher), odom (by /base)",
+                    "stop one of them"));
+  seen = healthy_robot();
+  seen.transforms.push_back(broadcast("odom", "/base_link", "/ekf_se_odom"));
+  EXPECT_TRUE(
+      ToFix(check_parents(seen), "odom -> base_link comes from /base and /ekf_se_odom", "publish_tf: false"));
+}
+
+TEST(CheckMapToOdom, FindAnotherLocalisation) {
+  Observations seen = healthy_robot();
+  EXPECT_TRUE(Passes(check_map_to_odom(seen)));
+  seen.transforms.push_back(broadcast("map", "odom", "/ekf_se_map"));
+  EXPECT_TRUE(ToFix(check_map_to_odom(seen), "is in the bag, by /ekf_se_map", "bag.launch"));
+  seen.from_bag = false;
+  EXPECT_TRUE(ToFix(check_map_to_odom(seen), "is broadcast by /ekf_se_map", "rosnode kill /ekf_se_map"));
+  seen.types["ekf_se_map/fix_report"] = "multipath_localization/FixReport";
+  EXPECT_TRUE(Passes(check_map_to_odom(seen))) << "our own node";
+}
+
+TEST(CheckAntenna, WantsItKnownNearAndNotTurned) {
+  Observations seen = healthy_robot();
+  EXPECT_TRUE(Passes(check_antenna(seen)));
+  seen.transforms.back().transform.transform.rotation.w = 0.0;
+  seen.transforms.back().transform.transform.rotation.z = 1.0;
+  EXPECT_TRUE(ToFix(check_antenna(seen), "turned by 180 degrees",
+                    "static_transform_publisher 0.3 0 0 0 0 0 base_link gps"));
+  seen.transforms.back() = broadcast("base_link", "gps", "/antenna", 300.0);
+  EXPECT_TRUE(ToFix(check_antenna(seen), "off the robot", "in metres"));
+  seen.transforms.pop_back();
+  EXPECT_TRUE(ToFix(check_antenna(seen), "nobody says where gps is", "base_link -> gps"));
+  seen.antenna = {0.3, -0.1};
+  EXPECT_TRUE(Passes(check_antenna(seen)));
+  EXPECT_NE(check_antenna(seen).front().what.find("0.30, -0.10"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace multipath_localization
