@@ -1,0 +1,184 @@
+#include "multipath_localization/filters/particle_cloud.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "multipath_localization/core/elementary.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr std::size_t kThreadedFrom =
+    20000;  ///< particles below which waking threads costs more than they bring
+constexpr std::size_t kCandidates = 24;
+constexpr std::size_t kProbes = 512;
+
+/// Particles of equal weight that stand for all.
+struct Probes {
+  std::array<double, kProbes> x;
+  std::array<double, kProbes> y;
+  std::array<double, kProbes> yaw;
+};
+
+int count_within(const Probes* probes, PoseNeighbourhood within) {
+  const double square_distance = within.distance * within.distance;
+  int count = 0;
+#pragma omp simd reduction(+ : count)
+  for (std::size_t i = 0; i < kProbes; ++i) {
+    const double dx = probes->x[i] - within.centre.x;
+    const double dy = probes->y[i] - within.centre.y;
+    const double turn = std::abs(elementary::wrap(probes->yaw[i] - within.centre.yaw));
+    const double near = dx * dx + dy * dy <= square_distance ? 1.0 : 0.0;
+    count += static_cast<int>(turn <= within.turn ? near : 0.0);
+  }
+  return count;
+}
+
+/// Where the cumulated weights reach (k + 1/2) / kProbes of their sum, k = 0 .. kProbes - 1.
+std::array<std::size_t, kProbes> evenly_drawn(const BlockWeights& weights) {
+  std::array<std::size_t, kProbes> drawn{};
+  const std::size_t blocks = blocks_of(weights.size());
+  std::size_t block = 0;
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    const double target = (static_cast<double>(k) + 0.5) / kProbes * weights.total();
+    while (block + 1 < blocks && weights.base(block + 1) <= target) ++block;
+    const double* cumulated = weights.cumulated(block);
+    const std::size_t length = block_length(block, weights.size());
+    const double within_block = (target - weights.base(block)) / weights.scale(block);
+    const double* found = std::upper_bound(cumulated, cumulated + length, within_block);
+    drawn[k] = block_begin(block) + std::min(static_cast<std::size_t>(found - cumulated), length - 1);
+  }
+  return drawn;
+}
+
+void gather(const std::uint32_t* from, std::size_t size, const double* x, const double* y, const double* yaw,
+            PoseBlock to) {
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) {
+    to.x[i] = x[from[i]];
+    to.y[i] = y[from[i]];
+    to.yaw[i] = yaw[from[i]];
+  }
+}
+
+void gather_labels(const std::uint32_t* from, std::size_t size, const float* member, const float* label,
+                   float* to_member, float* to_label) {
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) {
+    to_member[i] = member[from[i]];
+    to_label[i] = label[from[i]];
+  }
+}
+
+double dot(const double* weight, const float* label, std::size_t size) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < size; ++i) sum += weight[i] * static_cast<double>(label[i]);
+  return sum;
+}
+
+}  // namespace
+
+ParticleCloud::ParticleCloud(InstructionSet set, std::size_t threads)
+    : set_(set), threads_(std::make_unique<WorkerPool>(threads)) {}
+
+void ParticleCloud::reset(std::size_t size) {
+  for (auto* values : {&x_, &y_, &yaw_, &log_weight_}) values->assign(size, 0.0);
+  member_.assign(size, 1.0F);
+  label_.assign(size, 0.0F);
+  weights_.set_equal(size);
+}
+
+void ParticleCloud::set_pose(std::size_t i, const Pose2& pose) {
+  x_[i] = pose.x;
+  y_[i] = pose.y;
+  yaw_[i] = pose.yaw;
+}
+
+PoseBlock ParticleCloud::poses(std::size_t block) {
+  const std::size_t first = block_begin(block);
+  return {&x_[first], &y_[first], &yaw_[first], block_length(block, size())};
+}
+
+void ParticleCloud::for_each_block(const std::function<void(std::size_t)>& work) {
+  const std::size_t blocks = blocks_of(size());
+  if (size() >= kThreadedFrom) return threads_->for_each(blocks, work);
+  for (std::size_t block = 0; block < blocks; ++block) work(block);
+}
+
+PoseSums ParticleCloud::sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work) {
+  block_sums_.resize(blocks_of(size()));
+  for_each_block([&](std::size_t block) {
+    work(block);
+    block_sums_[block] =
+        pose_sums(set_, poses(block), weights_.relative(block), &member_[block_begin(block)], reference);
+  });
+  PoseSums sums;
+  for (std::size_t block = 0; block < block_sums_.size(); ++block) {
+    sums.add(weights_.scale(block), block_sums_[block]);
+  }
+  return sums;
+}
+
+double ParticleCloud::mean_label() const {
+  double sum = 0.0;
+  for (std::size_t block = 0; block < blocks_of(size()); ++block) {
+    sum += weights_.scale(block) *
+           run<dot>(set_, weights_.relative(block), &label_[block_begin(block)], block_length(block, size()));
+  }
+  return sum;
+}
+
+PoseNeighbourhood ParticleCloud::dominant_neighbourhood(double distance, double turn) const {
+  Probes probes;
+  const auto drawn = evenly_drawn(weights_);
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    probes.x[k] = x_[drawn[k]];
+    probes.y[k] = y_[drawn[k]];
+    probes.yaw[k] = yaw_[drawn[k]];
+  }
+  PoseNeighbourhood dominant;
+  int most = -1;
+  for (std::size_t c = 0; c < kCandidates; ++c) {
+    const std::size_t candidate = drawn[(2 * c + 1) * kProbes / (2 * kCandidates)];
+    const PoseNeighbourhood within{pose(candidate), distance, turn};
+    const int count = run<count_within>(set_, static_cast<const Probes*>(&probes), within);
+    if (count <= most) continue;
+    dominant = within;
+    most = count;
+  }
+  return dominant;
+}
+
+PoseSums ParticleCloud::choose_members(const PoseNeighbourhood& within) {
+  return sums_after(within.centre, [&](std::size_t block) {
+    mark_members(set_, poses(block), within, &member_[block_begin(block)]);
+  });
+}
+
+void ParticleCloud::select(const std::vector<std::uint32_t>& ancestors) {
+  const std::size_t size = ancestors.size();
+  for (auto* values : {&spare_x_, &spare_y_, &spare_yaw_}) values->resize(size);
+  for (auto* values : {&spare_member_, &spare_label_}) values->resize(size);
+  const auto gather_block = [&](std::size_t block) {
+    const std::size_t first = block_begin(block);
+    const std::size_t length = block_length(block, size);
+    run<gather>(set_, &ancestors[first], length, static_cast<const double*>(x_.data()),
+                static_cast<const double*>(y_.data()), static_cast<const double*>(yaw_.data()),
+                PoseBlock{&spare_x_[first], &spare_y_[first], &spare_yaw_[first], length});
+    run<gather_labels>(set_, &ancestors[first], length, static_cast<const float*>(member_.data()),
+                       static_cast<const float*>(label_.data()), &spare_member_[first], &spare_label_[first]);
+  };
+  for (std::size_t block = 0; block < blocks_of(size); ++block) gather_block(block);
+  x_.swap(spare_x_);
+  y_.swap(spare_y_);
+  yaw_.swap(spare_yaw_);
+  member_.swap(spare_member_);
+  label_.swap(spare_label_);
+  log_weight_.assign(size, 0.0);
+  weights_.set_equal(size);
+}
+
+}  // namespace multipath_localization
