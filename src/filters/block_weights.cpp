@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "multipath_localization/core/elementary.hpp"
@@ -59,19 +60,29 @@ double cumulate(const double* weight, double* cumulated) {
   return before;
 }
 
+/// A block of which `length` weights are 1 and the others 0.
+void count_up(std::size_t length, double* weight, double* cumulated) {
+  const auto ones = static_cast<std::int32_t>(length);
+#pragma omp simd
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(kBlockSize); ++i) {
+    weight[i] = i < ones ? 1.0 : 0.0;
+    cumulated[i] = i < ones ? i + 1 : ones;
+  }
+}
+
 }  // namespace
 
 void BlockWeights::set_equal(std::size_t size) {
   size_ = size;
   blocks_.assign(blocks_of(size), {});
-  relative_.assign(blocks_.size() * kBlockSize, 0.0);
-  std::fill_n(relative_.begin(), size, 1.0);
+  relative_.resize(blocks_.size() * kBlockSize);
   cumulated_.resize(relative_.size());
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
-    blocks_[block].sum = blocks_[block].sum_of_squares =
-        cumulate(relative(block), &cumulated_[block_begin(block)]);
+    const std::size_t length = block_length(block, size);
+    count_up(length, &relative_[block_begin(block)], &cumulated_[block_begin(block)]);
+    blocks_[block].sum = blocks_[block].sum_of_squares = static_cast<double>(length);
   }
-  normalise();
+  if (size > 0) join(0.0);
 }
 
 void BlockWeights::set(InstructionSet set, std::size_t block, const double* log_weight) {
@@ -81,7 +92,7 @@ void BlockWeights::set(InstructionSet set, std::size_t block, const double* log_
   result.log_heaviest = run<largest_of>(set, log_weight, length);
   const Sums sums = run<exponentiate>(set, log_weight, result.log_heaviest, weight, length);
   result.sum_of_squares = sums.second;
-  result.sum = run<cumulate>(set, const_cast<const double*>(weight), &cumulated_[block_begin(block)]);
+  result.sum = run<cumulate>(set, weight, &cumulated_[block_begin(block)]);
 }
 
 bool BlockWeights::normalise() {
@@ -91,14 +102,19 @@ bool BlockWeights::normalise() {
     set_equal(size_);
     return false;
   }
+  join(heaviest);
+  return true;
+}
+
+void BlockWeights::join(double log_heaviest) {
   double sum = 0.0;
   double sum_of_squares = 0.0;
   for (Block& block : blocks_) {
-    block.scale = std::exp(block.log_heaviest - heaviest);
+    block.scale = std::exp(block.log_heaviest - log_heaviest);
     sum += block.scale * block.sum;
     sum_of_squares += block.scale * block.scale * block.sum_of_squares;
   }
-  log_sum_ = heaviest + std::log(sum);
+  log_sum_ = log_heaviest + std::log(sum);
   effective_sample_size_ = sum * sum / sum_of_squares;
   double base = 0.0;
   for (Block& block : blocks_) {
@@ -106,7 +122,6 @@ bool BlockWeights::normalise() {
     block.base = base;
     base += block.scale * block.sum;
   }
-  return true;
 }
 
 double BlockWeights::total() const {

@@ -36,6 +36,16 @@ int count_within(const Probes* probes, PoseNeighbourhood within) {
   return count;
 }
 
+/// How many of a block's cumulated weights, in ascending order, are not above `target`: kBlockSize - 1 at most.
+/// Without a branch, that many searches run at a time.
+std::size_t first_above(const double* cumulated, double target) {
+  std::size_t below = 0;
+  for (std::size_t step = kBlockSize / 2; step > 0; step /= 2) {
+    below += cumulated[below + step - 1] <= target ? step : 0;
+  }
+  return below;
+}
+
 /// Where the cumulated weights reach (k + 1/2) / kProbes of their sum, k = 0 .. kProbes - 1.
 std::array<std::size_t, kProbes> evenly_drawn(const BlockWeights& weights) {
   std::array<std::size_t, kProbes> drawn{};
@@ -47,29 +57,9 @@ std::array<std::size_t, kProbes> evenly_drawn(const BlockWeights& weights) {
     const double* cumulated = weights.cumulated(block);
     const std::size_t length = block_length(block, weights.size());
     const double within_block = (target - weights.base(block)) / weights.scale(block);
-    const double* found = std::upper_bound(cumulated, cumulated + length, within_block);
-    drawn[k] = block_begin(block) + std::min(static_cast<std::size_t>(found - cumulated), length - 1);
+    drawn[k] = block_begin(block) + std::min(first_above(cumulated, within_block), length - 1);
   }
   return drawn;
-}
-
-void gather(const std::uint32_t* from, std::size_t size, const double* x, const double* y, const double* yaw,
-            PoseBlock to) {
-#pragma omp simd
-  for (std::size_t i = 0; i < size; ++i) {
-    to.x[i] = x[from[i]];
-    to.y[i] = y[from[i]];
-    to.yaw[i] = yaw[from[i]];
-  }
-}
-
-void gather_labels(const std::uint32_t* from, std::size_t size, const float* member, const float* label,
-                   float* to_member, float* to_label) {
-#pragma omp simd
-  for (std::size_t i = 0; i < size; ++i) {
-    to_member[i] = member[from[i]];
-    to_label[i] = label[from[i]];
-  }
 }
 
 double dot(const double* weight, const float* label, std::size_t size) {
@@ -110,11 +100,12 @@ void ParticleCloud::for_each_block(const std::function<void(std::size_t)>& work)
 
 PoseSums ParticleCloud::sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work) {
   block_sums_.resize(blocks_of(size()));
-  for_each_block([&](std::size_t block) {
+  const auto work_and_sum = [&](std::size_t block) {
     work(block);
     block_sums_[block] =
         pose_sums(set_, poses(block), weights_.relative(block), &member_[block_begin(block)], reference);
-  });
+  };
+  for_each_block(std::cref(work_and_sum));
   PoseSums sums;
   for (std::size_t block = 0; block < block_sums_.size(); ++block) {
     sums.add(weights_.scale(block), block_sums_[block]);
@@ -144,34 +135,35 @@ PoseNeighbourhood ParticleCloud::dominant_neighbourhood(double distance, double 
   for (std::size_t c = 0; c < kCandidates; ++c) {
     const std::size_t candidate = drawn[(2 * c + 1) * kProbes / (2 * kCandidates)];
     const PoseNeighbourhood within{pose(candidate), distance, turn};
-    const int count = run<count_within>(set_, static_cast<const Probes*>(&probes), within);
+    const int count = run<count_within>(set_, &probes, within);
     if (count <= most) continue;
     dominant = within;
     most = count;
+    if (most == static_cast<int>(kProbes)) break;
   }
   return dominant;
 }
 
 PoseSums ParticleCloud::choose_members(const PoseNeighbourhood& within) {
-  return sums_after(within.centre, [&](std::size_t block) {
+  const auto mark = [&](std::size_t block) {
     mark_members(set_, poses(block), within, &member_[block_begin(block)]);
-  });
+  };
+  return sums_after(within.centre, std::cref(mark));
 }
 
+/// In plain code, because the gathering instructions of AVX2 are slower than single loads.
 void ParticleCloud::select(const std::vector<std::uint32_t>& ancestors) {
   const std::size_t size = ancestors.size();
   for (auto* values : {&spare_x_, &spare_y_, &spare_yaw_}) values->resize(size);
   for (auto* values : {&spare_member_, &spare_label_}) values->resize(size);
-  const auto gather_block = [&](std::size_t block) {
-    const std::size_t first = block_begin(block);
-    const std::size_t length = block_length(block, size);
-    run<gather>(set_, &ancestors[first], length, static_cast<const double*>(x_.data()),
-                static_cast<const double*>(y_.data()), static_cast<const double*>(yaw_.data()),
-                PoseBlock{&spare_x_[first], &spare_y_[first], &spare_yaw_[first], length});
-    run<gather_labels>(set_, &ancestors[first], length, static_cast<const float*>(member_.data()),
-                       static_cast<const float*>(label_.data()), &spare_member_[first], &spare_label_[first]);
-  };
-  for (std::size_t block = 0; block < blocks_of(size); ++block) gather_block(block);
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t ancestor = ancestors[i];
+    spare_x_[i] = x_[ancestor];
+    spare_y_[i] = y_[ancestor];
+    spare_yaw_[i] = yaw_[ancestor];
+    spare_member_[i] = member_[ancestor];
+    spare_label_[i] = label_[ancestor];
+  }
   x_.swap(spare_x_);
   y_.swap(spare_y_);
   yaw_.swap(spare_yaw_);

@@ -20,7 +20,16 @@ void mark(PoseBlock poses, PoseNeighbourhood within, float* member) {
   }
 }
 
-PoseSums::All sums_of_all(PoseBlock poses, const double* weight, Pose2 reference) {
+void weights_of_members(const double* weight, const float* member, double* of_members, std::size_t size) {
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) of_members[i] = weight[i] * static_cast<double>(member[i]);
+}
+
+struct PositionSums {
+  double w, x, y, xx, xy, yy;
+};
+
+PositionSums position_sums(PoseBlock poses, const double* weight, Pose2 reference) {
   double sw = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
 #pragma omp simd reduction(+ : sw, sx, sy, sxx, sxy, syy)
   for (std::size_t i = 0; i < poses.size; ++i) {
@@ -38,33 +47,25 @@ PoseSums::All sums_of_all(PoseBlock poses, const double* weight, Pose2 reference
   return {sw, sx, sy, sxx, sxy, syy};
 }
 
-PoseSums::Members sums_of_members(PoseBlock poses, const double* weight, const float* member,
-                                  Pose2 reference) {
-  double sw = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
+struct HeadingSums {
+  double d, c, s, xd, yd, dd;
+};
+
+HeadingSums heading_sums(PoseBlock poses, const double* weight, Pose2 reference) {
   double sd = 0.0, sc = 0.0, ss = 0.0, sxd = 0.0, syd = 0.0, sdd = 0.0;
-#pragma omp simd reduction(+ : sw, sx, sy, sxx, sxy, syy, sd, sc, ss, sxd, syd, sdd)
+#pragma omp simd reduction(+ : sd, sc, ss, sxd, syd, sdd)
   for (std::size_t i = 0; i < poses.size; ++i) {
-    const double w = weight[i] * static_cast<double>(member[i]);
-    const double x = poses.x[i] - reference.x;
-    const double y = poses.y[i] - reference.y;
     const double d = elementary::wrap(poses.yaw[i] - reference.yaw);
     const auto [s, c] = elementary::sincos_pi(d * (1.0 / kPi));
-    const double wx = w * x;
-    const double wy = w * y;
-    sw += w;
-    sx += wx;
-    sy += wy;
-    sxx += wx * x;
-    sxy += wx * y;
-    syy += wy * y;
-    sd += w * d;
-    sc += w * c;
-    ss += w * s;
-    sxd += wx * d;
-    syd += wy * d;
-    sdd += w * d * d;
+    const double wd = weight[i] * d;
+    sd += wd;
+    sc += weight[i] * c;
+    ss += weight[i] * s;
+    sxd += wd * (poses.x[i] - reference.x);
+    syd += wd * (poses.y[i] - reference.y);
+    sdd += wd * d;
   }
-  return {sw, sx, sy, sxx, sxy, syy, sd, sc, ss, sxd, syd, sdd};
+  return {sd, sc, ss, sxd, syd, sdd};
 }
 
 }  // namespace
@@ -97,8 +98,13 @@ void PoseSums::add(double scale, const PoseSums& other) {
 
 PoseSums pose_sums(InstructionSet set, const PoseBlock& poses, const double* weight, const float* member,
                    const Pose2& reference) {
-  return {run<sums_of_all>(set, poses, weight, reference),
-          run<sums_of_members>(set, poses, weight, member, reference)};
+  BlockValues of_members;
+  run<weights_of_members>(set, weight, member, of_members.data(), poses.size);
+  const PositionSums all = run<position_sums>(set, poses, weight, reference);
+  const PositionSums p = run<position_sums>(set, poses, of_members.data(), reference);
+  const HeadingSums h = run<heading_sums>(set, poses, of_members.data(), reference);
+  return {{all.w, all.x, all.y, all.xx, all.xy, all.yy},
+          {p.w, p.x, p.y, p.xx, p.xy, p.yy, h.d, h.c, h.s, h.xd, h.yd, h.dd}};
 }
 
 PoseMoments member_moments(const PoseSums& sums, const Pose2& reference) {

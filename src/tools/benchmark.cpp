@@ -1,8 +1,6 @@
 // Measures the cost of the particle filter, whole and by its stages, beside a naive one and those of other
 // libraries, in one process and by CPU time. usage: benchmark [--json FILE] [options of Google Benchmark]
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -13,19 +11,12 @@
 #include "multipath_localization/filters/block_resampling.hpp"
 #include "multipath_localization/filters/particle_cloud.hpp"
 #include "multipath_localization/models/steering_motion.hpp"
+#include "tools/benchmark/full_step.hpp"
 #include "tools/benchmark/naive_filter.hpp"
 #include "tools/benchmark/workload.hpp"
-#ifdef HAVE_BFL
-#include "tools/benchmark/bfl_filter.hpp"
-#endif
-#ifdef HAVE_MRPT
-#include "tools/benchmark/mrpt_filter.hpp"
-#endif
 
 namespace multipath_localization {
 namespace {
-
-constexpr char kPerParticle[] = "ns/particle";
 
 /// The product's filter as a node calls it: increment, fix, estimate.
 class OurFilter {
@@ -54,24 +45,6 @@ struct Ours : OurFilter {
 struct OursPlain : OurFilter {
   explicit OursPlain(std::size_t size) : OurFilter(size, InstructionSet::kPlain) {}
 };
-
-void count_particles(benchmark::State& state) {
-  const double done = static_cast<double>(state.iterations()) * static_cast<double>(state.range(0));
-  state.counters[kPerParticle] =
-      benchmark::Counter(1e-9 * done, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
-
-template <class Filter>
-void full_step(benchmark::State& state) {
-  Filter filter(static_cast<std::size_t>(state.range(0)));
-  int step = 0;
-  for (auto unused : state) {
-    filter.step(workload::increment(step), workload::fix(step));
-    ++step;
-  }
-  benchmark::DoNotOptimize(filter.x());
-  count_particles(state);
-}
 
 /// What the stages work on: the particles of a filter at its work.
 struct Stages {
@@ -109,7 +82,7 @@ const std::vector<std::pair<std::string, Stage>>& stages() {
       {"random words",
        [](Stages& s) {
          s.each_block(
-             [&](std::size_t b) { random_words(s.set, 1, 2, static_cast<std::uint32_t>(b), s.words); });
+             [&](std::size_t b) { random_words(s.set, 1, 2, static_cast<std::uint32_t>(block_begin(b)), s.words); });
        }},
       {"normals",
        [](Stages& s) { s.each_block([&](std::size_t) { standard_normals(s.set, s.words, s.normals); }); }},
@@ -178,23 +151,15 @@ void print_ratios(const BestOf& best) {
   best.print_ratio("ours, M = 100000 / M = 1000", "ours/100000", "ours/1000");
 }
 
-using Function = void (*)(benchmark::State&);
-
-void register_full_step(const std::string& name, Function function) {
-  auto* full = benchmark::RegisterBenchmark(name.c_str(), function);
-  for (const int size : {1000, 10000, 100000}) full->Arg(size);
-  full->Repetitions(5);
-}
-
 void register_all() {
-  register_full_step("ours", full_step<Ours>);
-  register_full_step("ours, plain", full_step<OursPlain>);
-  register_full_step("naive", full_step<NaiveFilter>);
+  register_full_step<Ours>("ours");
+  register_full_step<OursPlain>("ours, plain");
+  register_full_step<NaiveFilter>("naive");
 #ifdef HAVE_MRPT
-  register_full_step("MRPT", full_step<MrptFilter>);
+  register_mrpt();
 #endif
 #ifdef HAVE_BFL
-  register_full_step("BFL", full_step<BflFilter>);
+  register_bfl();
 #endif
   for (const auto& [name, stage] : stages()) {
     const auto work = stage;

@@ -41,9 +41,9 @@ int differences(InstructionSet set, const std::vector<double>& logs, std::size_t
   return different;
 }
 
-class EachInstructionSet : public ::testing::TestWithParam<InstructionSet> {};
+class BlockResamplingOnEachSet : public ::testing::TestWithParam<InstructionSet> {};
 
-TEST_P(EachInstructionSet, DrawsTheAncestorsOfThePlainReference) {
+TEST_P(BlockResamplingOnEachSet, DrawsTheAncestorsOfThePlainReference) {
   for (const std::size_t size : {1U, 200U, 256U, 1000U, 5000U}) {
     for (std::uint32_t step = 0; step < 30; ++step) {
       std::vector<double> logs(size);
@@ -58,7 +58,7 @@ TEST_P(EachInstructionSet, DrawsTheAncestorsOfThePlainReference) {
   }
 }
 
-TEST_P(EachInstructionSet, NeverChoosesAParticleWithoutWeight) {
+TEST_P(BlockResamplingOnEachSet, NeverChoosesAParticleWithoutWeight) {
   for (const double uniform : {0.0, 0.3, 1.0 - 1e-16}) {
     std::vector<double> logs(1000, -kInf);
     for (const std::size_t i : {3U, 255U, 256U, 600U}) logs[i] = -0.1 * static_cast<double>(i);
@@ -69,7 +69,7 @@ TEST_P(EachInstructionSet, NeverChoosesAParticleWithoutWeight) {
   }
 }
 
-TEST_P(EachInstructionSet, EqualWeightsKeepEveryParticle) {
+TEST_P(BlockResamplingOnEachSet, EqualWeightsKeepEveryParticle) {
   BlockWeights weights;
   weights.set_equal(1000);
   std::vector<std::uint32_t> ancestors;
@@ -77,7 +77,7 @@ TEST_P(EachInstructionSet, EqualWeightsKeepEveryParticle) {
   for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(ancestors[i], i);
 }
 
-INSTANTIATE_TEST_SUITE_P(BlockResampling, EachInstructionSet,
+INSTANTIATE_TEST_SUITE_P(All, BlockResamplingOnEachSet,
                          ::testing::Values(InstructionSet::kPlain, best_instruction_set()));
 
 }  // namespace

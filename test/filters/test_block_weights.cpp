@@ -23,9 +23,9 @@ bool set_all(InstructionSet set, const std::vector<double>& logs, BlockWeights& 
   return weights.normalise();
 }
 
-class EachInstructionSet : public ::testing::TestWithParam<InstructionSet> {};
+class BlockWeightsOnEachSet : public ::testing::TestWithParam<InstructionSet> {};
 
-TEST_P(EachInstructionSet, GivesTheWeightsOfThePlainReference) {
+TEST_P(BlockWeightsOnEachSet, GivesTheWeightsOfThePlainReference) {
   for (const std::size_t size : {1U, 255U, 256U, 257U, 5000U}) {
     std::vector<double> logs(size);
     for (std::size_t i = 0; i < size; ++i) {
@@ -48,7 +48,7 @@ TEST_P(EachInstructionSet, GivesTheWeightsOfThePlainReference) {
   }
 }
 
-TEST_P(EachInstructionSet, TellsWeightsFarBelowTheSmallestDoubleApart) {
+TEST_P(BlockWeightsOnEachSet, TellsWeightsFarBelowTheSmallestDoubleApart) {
   std::vector<double> logs(600, -kInf);
   logs[0] = -1e7;
   logs[599] = -1e7 + std::log(3.0);
@@ -60,7 +60,15 @@ TEST_P(EachInstructionSet, TellsWeightsFarBelowTheSmallestDoubleApart) {
   EXPECT_NEAR(weights.log_sum(), -1e7 + std::log(4.0), 1e-6);
 }
 
-TEST_P(EachInstructionSet, NanIsNoWeightAndNoneAtAllIsEqualWeights) {
+TEST(BlockWeights, OfNoParticleAreEmpty) {
+  BlockWeights weights;
+  weights.set_equal(0);
+  EXPECT_FALSE(weights.normalise());
+  EXPECT_EQ(weights.size(), 0U);
+  EXPECT_EQ(weights.total(), 0.0);
+}
+
+TEST_P(BlockWeightsOnEachSet, NanIsNoWeightAndNoneAtAllIsEqualWeights) {
   BlockWeights weights;
   EXPECT_TRUE(set_all(GetParam(), {0.0, kNan, 0.0}, weights));
   EXPECT_EQ(weights[1], 0.0);
@@ -72,7 +80,7 @@ TEST_P(EachInstructionSet, NanIsNoWeightAndNoneAtAllIsEqualWeights) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BlockWeights, EachInstructionSet,
+INSTANTIATE_TEST_SUITE_P(All, BlockWeightsOnEachSet,
                          ::testing::Values(InstructionSet::kPlain, best_instruction_set()));
 
 }  // namespace

@@ -66,10 +66,12 @@ TEST(ParticleCloud, LikelihoodsThatUnderflowStillTellParticlesApart) {
   EXPECT_GT(cloud.choose_members({{10.0, 0.0, 0.0}, 2.0, 0.6}).members.w, 0.99);
 }
 
-TEST(ParticleCloud, MeasurementThatExcludesAllLeavesEqualWeights) {
+TEST(ParticleCloud, MeasurementThatExcludesAllLeavesEqualWeightsAndTheNextCountsAgain) {
   ParticleCloud cloud = two_clusters(700);
   EXPECT_FALSE(weigh_by_x(cloud, 0.0, std::numeric_limits<double>::infinity()));
   EXPECT_NEAR(cloud.weights()[3], 1.0 / 700.0, 1e-12);
+  EXPECT_TRUE(weigh_by_x(cloud, 0.0, 0.5));
+  EXPECT_NEAR(cloud.choose_members({{}, 2.0, 0.6}).members.w, 1.0, 1e-9);
 }
 
 TEST(ParticleCloud, AReplacedWeightStandsBesideTheNormalisedOnes) {

@@ -56,6 +56,8 @@ class BlockWeights {
     double base = 0.0;
   };
 
+  void join(double log_heaviest);
+
   std::size_t size_ = 0;
   double log_sum_ = 0.0;
   double effective_sample_size_ = 1.0;

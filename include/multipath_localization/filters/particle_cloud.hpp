@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -39,21 +40,25 @@ class ParticleCloud {
   /// `first` is the number of the block's first particle.
   template <class Move>
   PoseSums move(const Pose2& reference, const Move& move) {
-    return sums_after(reference, [&](std::size_t block) {
+    const auto work = [&](std::size_t block) {
       move(poses(block), static_cast<std::uint32_t>(block_begin(block)));
-    });
+    };
+    return sums_after(reference, std::cref(work));
   }
 
   /// Calls `add(poses, log_weights, labels)` for each block, which adds the logarithm of a likelihood to the
   /// weights, and normalises. False when no particle has any weight left: all are equal then.
   template <class Add>
   bool weigh(const Add& add) {
-    for_each_block([&](std::size_t block) {
+    const auto work = [&](std::size_t block) {
       double* log_weight = &log_weight_[block_begin(block)];
       add(poses(block), log_weight, &label_[block_begin(block)]);
       weights_.set(set_, block, log_weight);
-    });
-    return weights_.normalise();
+    };
+    for_each_block(std::cref(work));
+    if (weights_.normalise()) return true;
+    std::fill(log_weight_.begin(), log_weight_.end(), 0.0);
+    return false;
   }
 
   /// Mean of the labels.
@@ -73,6 +78,7 @@ class ParticleCloud {
  private:
   /// Those of a block, where they are stored.
   PoseBlock poses(std::size_t block);
+  /// By reference, lest the function be copied to the heap.
   void for_each_block(const std::function<void(std::size_t)>& work);
   PoseSums sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work);
 

@@ -1,12 +1,13 @@
-#pragma once
-
 #include <mrpt/bayes/CParticleFilterCapable.h>
 #include <mrpt/bayes/CParticleFilterData.h>
 #include <mrpt/random/RandomGenerators.h>
 
+#include "tools/benchmark/full_step.hpp"
 #include "tools/benchmark/peer_motion.hpp"
 
 namespace multipath_localization {
+
+namespace {
 
 /// The same step by MRPT's particle filter: systematic resampling at every step.
 class MrptFilter
@@ -31,10 +32,11 @@ class MrptFilter
     }
     normalizeWeights();
     average();
-    if (ESS() < 2.0) performResampling(options_);
+    effective_share_ = ESS();
+    performResampling(options_);
   }
 
-  [[nodiscard]] double x() const { return x_; }
+  [[nodiscard]] double x() const { return mean_.x; }
 
  private:
   double normal() { return random_.drawGaussian1D_normalized(); }
@@ -49,12 +51,17 @@ class MrptFilter
       c += w * std::cos(particle.d.yaw);
       s += w * std::sin(particle.d.yaw);
     }
-    x_ = x / sum + y / sum * 1e-12 + std::atan2(s, c) * 1e-12;
+    mean_ = {x / sum, y / sum, std::atan2(s, c)};
   }
 
   mrpt::random::CRandomGenerator random_;
   mrpt::bayes::CParticleFilter::TParticleFilterOptions options_;
-  double x_ = 0.0;
+  double effective_share_ = 1.0;
+  Pose2 mean_;
 };
+
+}  // namespace
+
+void register_mrpt() { register_full_step<MrptFilter>("MRPT"); }
 
 }  // namespace multipath_localization

@@ -1,5 +1,3 @@
-#pragma once
-
 #include <filter/bootstrapfilter.h>
 #include <model/measurementmodel.h>
 #include <model/systemmodel.h>
@@ -7,9 +5,12 @@
 #include <pdf/mcpdf.h>
 #include <wrappers/rng/rng.h>
 
+#include "tools/benchmark/full_step.hpp"
 #include "tools/benchmark/peer_motion.hpp"
 
 namespace multipath_localization {
+
+namespace {
 
 /// The same step by the bootstrap filter of the Orocos Bayesian Filtering Library, resampled at every step.
 class BflFilter {
@@ -77,5 +78,9 @@ class BflFilter {
   BFL::BootstrapFilter<Vector, Vector> filter_;
   double x_ = 0.0;
 };
+
+}  // namespace
+
+void register_bfl() { register_full_step<BflFilter>("BFL"); }
 
 }  // namespace multipath_localization
