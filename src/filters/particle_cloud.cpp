@@ -36,8 +36,8 @@ int count_within(const Probes* probes, PoseNeighbourhood within) {
   return count;
 }
 
-/// How many of a block's cumulated weights, in ascending order, are not above `target`: kBlockSize - 1 at most.
-/// Without a branch, that many searches run at a time.
+/// How many of a block's cumulated weights, in ascending order, are not above `target`: kBlockSize - 1 at
+/// most. Without a branch, that many searches run at a time.
 std::size_t first_above(const double* cumulated, double target) {
   std::size_t below = 0;
   for (std::size_t step = kBlockSize / 2; step > 0; step /= 2) {

@@ -81,8 +81,9 @@ const std::vector<std::pair<std::string, Stage>>& stages() {
   static const std::vector<std::pair<std::string, Stage>> all = {
       {"random words",
        [](Stages& s) {
-         s.each_block(
-             [&](std::size_t b) { random_words(s.set, 1, 2, static_cast<std::uint32_t>(block_begin(b)), s.words); });
+         s.each_block([&](std::size_t b) {
+           random_words(s.set, 1, 2, static_cast<std::uint32_t>(block_begin(b)), s.words);
+         });
        }},
       {"normals",
        [](Stages& s) { s.each_block([&](std::size_t) { standard_normals(s.set, s.words, s.normals); }); }},
