@@ -10,8 +10,9 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr std::size_t kThreadedFrom =
-    20000;  ///< particles below which waking threads costs more than they bring
+/// Fewer particles are not worth waking threads for, which takes some 20 us an update: 3 % of the work of
+/// as many.
+constexpr std::size_t kThreadedFrom = 20000;
 constexpr std::size_t kCandidates = 24;
 constexpr std::size_t kProbes = 512;
 

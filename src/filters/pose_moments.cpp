@@ -20,9 +20,15 @@ void mark(PoseBlock poses, PoseNeighbourhood within, float* member) {
   }
 }
 
-void weights_of_members(const double* weight, const float* member, double* of_members, std::size_t size) {
-#pragma omp simd
-  for (std::size_t i = 0; i < size; ++i) of_members[i] = weight[i] * static_cast<double>(member[i]);
+/// Zero for others. Gives how many are members.
+float weights_of_members(const double* weight, const float* member, double* of_members, std::size_t size) {
+  float members = 0.0F;
+#pragma omp simd reduction(+ : members)
+  for (std::size_t i = 0; i < size; ++i) {
+    of_members[i] = weight[i] * static_cast<double>(member[i]);
+    members += member[i];
+  }
+  return members;
 }
 
 struct PositionSums {
@@ -99,9 +105,10 @@ void PoseSums::add(double scale, const PoseSums& other) {
 PoseSums pose_sums(InstructionSet set, const PoseBlock& poses, const double* weight, const float* member,
                    const Pose2& reference) {
   BlockValues of_members;
-  run<weights_of_members>(set, weight, member, of_members.data(), poses.size);
-  const PositionSums all = run<position_sums>(set, poses, weight, reference);
+  const float members = run<weights_of_members>(set, weight, member, of_members.data(), poses.size);
   const PositionSums p = run<position_sums>(set, poses, of_members.data(), reference);
+  const bool no_others = members == static_cast<float>(poses.size);
+  const PositionSums all = no_others ? p : run<position_sums>(set, poses, weight, reference);
   const HeadingSums h = run<heading_sums>(set, poses, of_members.data(), reference);
   return {{all.w, all.x, all.y, all.xx, all.xy, all.yy},
           {p.w, p.x, p.y, p.xx, p.xy, p.yy, h.d, h.c, h.s, h.xd, h.yd, h.dd}};

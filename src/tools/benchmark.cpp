@@ -169,13 +169,17 @@ void register_all() {
       for (auto unused : state) work(stages);
       count_particles(state);
     };
-    benchmark::RegisterBenchmark(("  " + name).c_str(), one_stage)->Arg(10000)->Repetitions(5);
+    benchmark::RegisterBenchmark(("  " + name).c_str(), one_stage)
+        ->Arg(10000)
+        ->MinTime(0.02)
+        ->Repetitions(15);
   }
 }
 
 /// --json FILE, in the words of Google Benchmark.
 std::vector<std::string> translated(int argc, char** argv) {
-  std::vector<std::string> arguments = {argv[0], "--benchmark_display_aggregates_only=false"};
+  // Repetitions take turns, so that a machine that slows down for a while does so for all.
+  std::vector<std::string> arguments = {argv[0], "--benchmark_enable_random_interleaving=true"};
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument != "--json" || i + 1 == argc) {

@@ -54,6 +54,22 @@ TEST(Allocations, FiltersOfFixAndOdometryNeedNoneOnTheirWay) {
   }
 }
 
+TEST(Allocations, OfTheDefaultFilterAreAFewPerFixAndNonePerIncrement) {
+  WindingDrive drive(4);
+  const auto filter = make_estimator("multipath_particle_filter", YAML::Load("{}"), 1);
+  filter->start(std::nullopt);
+  drive.run(*filter, 30.0);
+  for (int fix = 0; fix < 20; ++fix) {
+    std::size_t before = allocations;
+    for (int i = 0; i < kStepsPerFix; ++i) filter->predict(drive.next());
+    EXPECT_EQ(allocations - before, 0U);
+    const GnssFix z = drive.fix();
+    before = allocations;
+    filter->update(z);
+    EXPECT_LT(allocations - before, 40U);  // of 400 particles
+  }
+}
+
 TEST(Allocations, ResamplingAtEveryFixWithThreadsNeedsNone) {
   NishidaParticleFilterParameters parameters;
   parameters.sampling.min_particles = parameters.sampling.max_particles = 30000;

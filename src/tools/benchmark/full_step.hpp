@@ -34,7 +34,7 @@ template <class Filter>
 void register_full_step(const std::string& name) {
   auto* full = benchmark::RegisterBenchmark(name.c_str(), full_step<Filter>);
   for (const int size : {1000, 10000, 100000}) full->Arg(size);
-  full->Repetitions(5);
+  full->MinTime(0.05)->Repetitions(15);
 }
 
 /// The filters of other libraries, a file each: their headers do not bear each other. Defined where the
