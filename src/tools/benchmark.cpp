@@ -116,12 +116,12 @@ const std::vector<std::pair<std::string, Stage>>& stages() {
   return all;
 }
 
-/// Keeps the best of the repetitions of each benchmark, beside printing them.
+/// Keeps the best of the repetitions of each benchmark and prints their medians.
 class BestOf : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
-    ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
+      if (run.aggregate_name == "median") ConsoleReporter::ReportRuns({run});
       if (run.run_type != Run::RT_Iteration) continue;
       const double cost = run.counters.at(kPerParticle);
       const auto [best, is_new] = best_.emplace(run.run_name.function_name + "/" + run.run_name.args, cost);
