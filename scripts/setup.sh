@@ -23,7 +23,7 @@ run_packages=(
   python3-visualization-msgs python3-yaml rosout
 )
 test_packages=(
-  catkin-lint clang-format clang-tidy git libgtest-dev python3-nose python3-rostest python3-rosunit rviz
+  catkin-lint clang-format clang-tidy git libbenchmark-dev libgtest-dev python3-nose python3-rostest python3-rosunit rviz
 )
 view_packages=(rviz)
 

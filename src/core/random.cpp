@@ -3,40 +3,17 @@
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/core/threefry.hpp"
 
 namespace multipath_localization {
-
-namespace {
-
-constexpr std::array<int, 8> kRotationEven = {10, 11, 13, 23, 6, 17, 25, 18};
-constexpr std::array<int, 8> kRotationOdd = {26, 21, 27, 5, 20, 11, 10, 20};
-constexpr std::uint32_t kParity = 0x1BD11BDAU;
-
-std::uint32_t rotate_left(std::uint32_t x, int bits) { return (x << bits) | (x >> (32 - bits)); }
-
-void mix(std::uint32_t& a, std::uint32_t& b, int bits) {
-  a += b;
-  b = rotate_left(b, bits) ^ a;
-}
-
-}  // namespace
 
 template <int Rounds>
 std::array<std::uint32_t, 4> threefry4x32(const std::array<std::uint32_t, 4>& counter,
                                           const std::array<std::uint32_t, 4>& key) {
-  const std::array<std::uint32_t, 5> schedule = {key[0], key[1], key[2], key[3],
-                                                 kParity ^ key[0] ^ key[1] ^ key[2] ^ key[3]};
+  const auto schedule = threefry::schedule(key);
   std::array<std::uint32_t, 4> x{};
   for (std::size_t i = 0; i < 4; ++i) x[i] = counter[i] + schedule[i];
-  for (std::size_t round = 0; round < Rounds; ++round) {
-    const bool swapped = round % 2 == 1;
-    mix(x[0], swapped ? x[3] : x[1], kRotationEven[round % 8]);
-    mix(x[2], swapped ? x[1] : x[3], kRotationOdd[round % 8]);
-    if (round % 4 != 3) continue;
-    const std::size_t injection = round / 4 + 1;
-    for (std::size_t i = 0; i < 4; ++i) x[i] += schedule[(injection + i) % 5];
-    x[3] += static_cast<std::uint32_t>(injection);
-  }
+  threefry::rounds<0, Rounds>(x[0], x[1], x[2], x[3], schedule);
   return x;
 }
 

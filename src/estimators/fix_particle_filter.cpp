@@ -3,17 +3,22 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
-#include "multipath_localization/filters/resampling.hpp"
+#include "multipath_localization/core/random.hpp"
+#include "multipath_localization/core/random_block.hpp"
+#include "multipath_localization/filters/block_resampling.hpp"
+#include "multipath_localization/models/gnss_position.hpp"
+#include "multipath_localization/models/odometry_motion.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
 constexpr std::size_t kMostHypotheses = 2000;
-constexpr std::uint32_t kResampling = 0xFFFFFFFFU;  ///< random stream beside those of the particles
-constexpr double kLeastClusterReach = 2.0;          ///< [m]
+constexpr std::uint32_t kResampling = 0xFFFFFFFFU;  ///< random streams beside those of the particles
+constexpr std::uint32_t kRing = 0xFFFFFFFEU;
+constexpr double kLeastClusterReach = 2.0;  ///< [m]
 constexpr double kClusterSigmas = 3.0;
 constexpr double kClusterTurn = 0.6;       ///< [rad]
 constexpr double kYawSigmaFloor = 0.01;    ///< added to the published heading [rad]
@@ -22,22 +27,28 @@ constexpr double kAlignedDominance = 0.5;  ///< probability mass
 
 double square(double x) { return x * x; }
 
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+/// The vector along `direction`, or along x where that has no length.
+Eigen::Vector2d of_length(double length, const Eigen::Vector2d& direction) {
+  const double norm = direction.norm();
+  return norm > 0.0 ? Eigen::Vector2d(length / norm * direction) : Eigen::Vector2d(length, 0.0);
+}
 
 }  // namespace
 
-FixParticleFilter::FixParticleFilter(const FixParticleFilterParameters& parameters, std::uint64_t seed)
-    : parameters_(parameters), seed_(seed), bias_radius_(parameters.bias), heading_(parameters.heading) {}
-
-RandomStream FixParticleFilter::random(std::size_t particle) const {
-  return RandomStream(seed_, step_, static_cast<std::uint32_t>(particle));
-}
+FixParticleFilter::FixParticleFilter(const FixParticleFilterParameters& parameters, std::uint64_t seed,
+                                     InstructionSet set)
+    : parameters_(parameters),
+      seed_(seed),
+      bias_radius_(parameters.bias),
+      heading_(parameters.heading),
+      particles_(set, static_cast<std::size_t>(parameters.threads)),
+      bins_(parameters.sampling) {}
 
 void FixParticleFilter::start(const std::optional<PosePrior>& prior) {
-  particles_ = ParticleSet();
+  particles_.reset(0);
   fix_check_.forget();
   bias_radius_.forget();
-  bias_.setZero();
+  estimate_ = PoseEstimate();
   step_ = 0;
   now_ = last_fix_ = 0.0;
   if (prior && usable(*prior)) start_at(*prior);
@@ -45,12 +56,12 @@ void FixParticleFilter::start(const std::optional<PosePrior>& prior) {
 
 void FixParticleFilter::start_at(const PosePrior& prior) {
   now_ = last_fix_ = prior.stamp;
-  particles_ = ParticleSet(static_cast<std::size_t>(parameters_.particles));
+  particles_.reset(most_particles(parameters_.sampling));
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(prior.covariance);
   const Eigen::Matrix3d root =
       axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
   for (std::size_t i = 0; i < particles_.size(); ++i) {
-    RandomStream draw = random(i);
+    RandomStream draw(seed_, step_, static_cast<std::uint32_t>(i));
     Eigen::Vector3d d;
     for (double& component : d.reshaped()) component = draw.normal();
     d = root * d;
@@ -61,10 +72,10 @@ void FixParticleFilter::start_at(const PosePrior& prior) {
 }
 
 void FixParticleFilter::start_at(const GnssFix& fix) {
-  particles_ = ParticleSet(static_cast<std::size_t>(parameters_.particles));
-  const double sigma = std::hypot(parameters_.start_sigma, likelihood_of(fix, 0.0).sigma_b());
+  particles_.reset(most_particles(parameters_.sampling));
+  const double sigma = std::hypot(parameters_.start_sigma, fix_sigmas(parameters_.likelihood, fix).direct);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
-    RandomStream draw = random(i);
+    RandomStream draw(seed_, step_, static_cast<std::uint32_t>(i));
     const double yaw = kPi * (2.0 * draw.uniform() - 1.0);
     const Eigen::Vector2d antenna = fix.position + sigma * Eigen::Vector2d(draw.normal(), draw.normal());
     const Eigen::Vector2d base = antenna - rotation(yaw) * fix.antenna_in_base;
@@ -77,24 +88,28 @@ void FixParticleFilter::start_at(const GnssFix& fix) {
 
 void FixParticleFilter::begin_tracking() {
   ++step_;
-  shadow_share_.assign(particles_.size(), 0.0);
   take_stock();
 }
 
 void FixParticleFilter::predict(const OdometryIncrement& u) {
   if (!usable(u)) return;
-  now_ = u.stamp;
+  estimate_.stamp = now_ = u.stamp;
   if (particles_.empty() || standing(u)) return;
   if (particles_are_fresh_ && parameters_.propagate_from == "estimate") {
     for (std::size_t i = 0; i < particles_.size(); ++i) particles_.set_pose(i, predicted_);
   }
   particles_are_fresh_ = false;
-  const SteeringMotion motion(u, parameters_.motion);
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    RandomStream draw = random(i);
-    particles_.set_pose(i, motion.sample(particles_.pose(i), draw));
-  }
   predicted_ = predicted_ * displacement(u);
+  const SteeringMotion motion(u, parameters_.motion);
+  const InstructionSet set = particles_.instruction_set();
+  const PoseSums sums = particles_.move(predicted_, [&](const PoseBlock& poses, std::uint32_t first) {
+    RandomWords words;
+    Normals normals;
+    random_words(set, seed_, step_, first, words);
+    standard_normals(set, words, normals);
+    motion.move(set, poses, normals);
+  });
+  describe(sums, predicted_);
   heading_.add(u);
   ++step_;
 }
@@ -110,25 +125,30 @@ Innovation FixParticleFilter::update(const Measurement& z) {
     return first;
   }
   const Innovation result = compare(*fix);
-  const bool aligned = estimate().aligned;
-  const Eigen::Vector2d antenna = predicted_ * fix->antenna_in_base;
+  const FixSigmas sigma = fix_sigmas(parameters_.likelihood, *fix);
   const double radius =
-      bias_radius_.update(fix->position, antenna, likelihood_of(*fix, 0.0).sigma_s(), now_ - last_fix_);
+      bias_radius_.update(fix->position, predicted_ * fix->antenna_in_base, sigma.shadow, now_ - last_fix_);
+  if (estimate_.aligned && parameters_.ring.ring_fraction > 0.0) sample_ring(radius, sigma);
   const GnssLikelihood likelihood = likelihood_of(*fix, radius);
-  if (aligned && parameters_.ring.ring_fraction > 0.0) sample_ring(radius, likelihood);
-  weigh(*fix, likelihood);
-  cluster_reach_ = std::max(kLeastClusterReach, kClusterSigmas * likelihood.sigma_b());
+  particles_.weigh([&](const PoseBlock& poses, double* log_weight, float* shadow_share) {
+    likelihood.add_to(particles_.instruction_set(), poses, log_weight, shadow_share);
+  });
+  cluster_reach_ = std::max(kLeastClusterReach, kClusterSigmas * sigma.direct);
   take_stock();
-  if (effective_sample_size_ < parameters_.ess_threshold) resample();
-  const Eigen::Vector2d to_fix = fix->position - predicted_ * fix->antenna_in_base;
-  bias_ = to_fix.norm() > 0.0 ? Eigen::Vector2d(radius * to_fix.normalized()) : Eigen::Vector2d::Zero();
+  if (parameters_.ring.shadow_weight > 0.0) {
+    estimate_.bias = of_length(radius, fix->position - predicted_ * fix->antenna_in_base);
+    estimate_.bias_covariance = bias_radius_.covariance();
+  }
+  if (estimate_.effective_sample_size < parameters_.ess_threshold) resample();
   last_fix_ = now_;
   ++step_;
   return result;
 }
 
+/// Eqs. (27)-(33) of [NIS].
 GnssLikelihood FixParticleFilter::likelihood_of(const GnssFix& fix, double radius) const {
-  return GnssLikelihood(parameters_.likelihood, fix.covariance, parameters_.ring.shadow_weight, radius);
+  return {parameters_.likelihood, fix, parameters_.ring.shadow_weight, radius,
+          heading_.heading(fix.position - rotation(predicted_.yaw) * fix.antenna_in_base)};
 }
 
 Innovation FixParticleFilter::compare(const GnssFix& fix) const {
@@ -138,91 +158,93 @@ Innovation FixParticleFilter::compare(const GnssFix& fix) const {
   result.reason = Reason::kAccepted;
   result.innovation = fix.position - before.pose * fix.antenna_in_base;
   result.covariance = H * before.covariance * H.transpose() +
-                      square(likelihood_of(fix, 0.0).sigma_b()) * Eigen::Matrix2d::Identity();
+                      square(fix_sigmas(parameters_.likelihood, fix).direct) * Eigen::Matrix2d::Identity();
   result.nis = result.innovation.dot(result.covariance.llt().solve(result.innovation));
   return result;
 }
 
-/// p_r of [NIS], Eqs. (22)-(26). Departs: Eq. (24) prints r_s for the mean r_hat.
-void FixParticleFilter::sample_ring(double radius, const GnssLikelihood& likelihood) {
-  const double sigma_s = likelihood.sigma_s();
+/// p_r of [NIS], Eqs. (22)-(26), for particles at equal steps. Departs: Eq. (24) prints r_s for the mean
+/// r_hat.
+void FixParticleFilter::sample_ring(double radius, const FixSigmas& sigma) {
   const bool printed = parameters_.ring.ring_weight == "printed";
-  const double log_scale =
-      -std::log(static_cast<double>(particles_.size())) - 0.5 * std::log(2.0 * kPi * square(sigma_s));
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    RandomStream draw = random(i);
-    if (draw.uniform() >= parameters_.ring.ring_fraction) continue;
-    const double psi = kPi * (2.0 * draw.uniform() - 1.0);
-    const double rho = radius + likelihood.sigma_b() * draw.normal();
-    particles_.set_pose(
-        i, {predicted_.x + rho * std::cos(psi), predicted_.y + rho * std::sin(psi), predicted_.yaw});
+  const auto size = static_cast<double>(particles_.size());
+  const double log_scale = -std::log(size) - 0.5 * std::log(2.0 * kPi * square(sigma.shadow));
+  RandomStream draw(seed_, step_, kRing);
+  const double count = std::floor(parameters_.ring.ring_fraction * size + draw.uniform());
+  const double offset = draw.uniform();
+  RandomWords words;
+  Normals normals;
+  for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(count); ++k) {
+    const std::size_t lane = k % kBlockSize;
+    if (lane == 0) {
+      random_words(particles_.instruction_set(), seed_, step_, k, words);
+      standard_normals(particles_.instruction_set(), words, normals);
+    }
+    // The direction of two normals is uniform.
+    const double rho = radius + sigma.direct * static_cast<double>(normals.third[lane]);
+    const Eigen::Vector2d to_ring =
+        of_length(rho, Eigen::Vector2f(normals.first[lane], normals.second[lane]).cast<double>());
+    const auto i = static_cast<std::size_t>((k + offset) * size / count);
+    particles_.set_pose(i, {predicted_.x + to_ring.x(), predicted_.y + to_ring.y(), predicted_.yaw});
     // Departs, unless "printed": Eq. (26) has rho in the place of rho - r_hat, which kills the ring once it
     // is wide.
-    particles_.log_weight[i] = log_scale - 0.5 * square((printed ? rho : rho - radius) / sigma_s);
-  }
-}
-
-/// Eqs. (27)-(34) of [NIS].
-void FixParticleFilter::weigh(const GnssFix& fix, const GnssLikelihood& likelihood) {
-  const auto heading = heading_.heading(fix.position - rotation(predicted_.yaw) * fix.antenna_in_base);
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    const Pose2 pose = particles_.pose(i);
-    std::optional<double> heading_error;
-    if (heading) heading_error = angle_difference(pose.yaw, *heading);
-    const auto value = likelihood(pose * fix.antenna_in_base - fix.position, heading_error);
-    particles_.log_weight[i] += value.log_likelihood;
-    shadow_share_[i] = value.shadow_share;
+    particles_.set_log_weight(i, log_scale - 0.5 * square((printed ? rho : rho - radius) / sigma.shadow));
   }
 }
 
 /// Eqs. (34), (35), (39) of [NIS]. Departs, unless "mean": Eq. (35) averages over clusters as well.
 void FixParticleFilter::take_stock() {
-  normalise(particles_.log_weight);
-  weights_ = weights_of(particles_.log_weight);
-  cluster_ = parameters_.point_estimate == "mean"
-                 ? weights_
-                 : dominant_cluster(particles_, weights_, cluster_reach_, kClusterTurn);
-  effective_sample_size_ = effective_sample_size(weights_);
-  predicted_ = moments(particles_, cluster_).mean;
+  PoseNeighbourhood within{predicted_, std::numeric_limits<double>::infinity(), 2.0 * kPi};
+  if (parameters_.point_estimate == "cluster") {
+    within = particles_.dominant_neighbourhood(cluster_reach_, kClusterTurn);
+  } else {
+    within.centre = member_moments(particles_.choose_members(within), within.centre).mean;
+  }
+  describe(particles_.choose_members(within), within.centre);
+  estimate_.shadow_probability = std::min(1.0, particles_.mean_label());
+  estimate_.effective_sample_size = particles_.weights().effective_sample_size();
+  predicted_ = estimate_.pose;
   particles_are_fresh_ = true;
   if (heading_.due() || step_ == 1) heading_.restart(predicted_.position());
+}
+
+void FixParticleFilter::describe(const PoseSums& sums, const Pose2& reference) {
+  const PoseMoments within = member_moments(sums, reference);
+  const double floor = square(parameters_.position_sigma_floor);
+  estimate_.valid = true;
+  estimate_.stamp = now_;
+  estimate_.pose = within.mean;
+  estimate_.covariance = within.covariance;
+  estimate_.covariance.diagonal() += Eigen::Vector3d(floor, floor, square(kYawSigmaFloor));
+  estimate_.position_covariance_overall =
+      floor * Eigen::Matrix2d::Identity() + position_spread(sums, reference, within.mean.position());
+  estimate_.dominance = std::min(1.0, sums.members.w);
+  estimate_.aligned =
+      estimate_.dominance > kAlignedDominance && estimate_.covariance(2, 2) < square(kAlignedYawSigma);
 }
 
 /// Eqs. (40)-(43) of [NIS].
 void FixParticleFilter::resample() {
   const double uniform = RandomStream(seed_, step_, kResampling).uniform();
-  const auto ancestors = systematic_resampling(weights_, particles_.size(), uniform);
-  particles_ = particles_.selected(ancestors);
-  shadow_share_ = selected(shadow_share_, ancestors);
-  cluster_ = selected(cluster_, ancestors);
-  weights_ = weights_of(particles_.log_weight);
-  for (std::size_t i = 0; i < cluster_.size(); ++i) cluster_[i] = cluster_[i] > 0.0 ? weights_[i] : 0.0;
+  const auto draw = [&](std::size_t count) {
+    systematic_resampling(particles_.instruction_set(), particles_.weights(), count, uniform, ancestors_);
+  };
+  draw(particles_.size());
+  const std::size_t needed = needed_particles();
+  if (needed != particles_.size()) draw(needed);
+  particles_.select(ancestors_);
 }
 
-PoseEstimate FixParticleFilter::estimate() const {
-  PoseEstimate result;
-  result.stamp = now_;
-  if (particles_.empty()) return result;
-  const PoseMoments within = moments(particles_, cluster_);
-  result.valid = true;
-  result.pose = within.mean;
-  result.covariance = within.covariance;
-  result.dominance = std::min(1.0, sum(cluster_));
-  const double floor = square(parameters_.position_sigma_floor);
-  result.covariance.diagonal() += Eigen::Vector3d(floor, floor, square(kYawSigmaFloor));
-  result.position_covariance_overall = floor * Eigen::Matrix2d::Identity();
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    const Eigen::Vector2d d(particles_.x[i] - result.pose.x, particles_.y[i] - result.pose.y);
-    result.position_covariance_overall += weights_[i] * d * d.transpose();
+/// By the bins that the ancestors fall into.
+std::size_t FixParticleFilter::needed_particles() {
+  if (most_particles(parameters_.sampling) == static_cast<std::size_t>(parameters_.sampling.min_particles)) {
+    return particles_.size();
   }
-  result.aligned = result.dominance > kAlignedDominance && result.covariance(2, 2) < square(kAlignedYawSigma);
-  result.shadow_probability =
-      std::min(1.0, std::inner_product(weights_.begin(), weights_.end(), shadow_share_.begin(), 0.0));
-  result.effective_sample_size = effective_sample_size_;
-  if (parameters_.ring.shadow_weight == 0.0) return result;
-  result.bias = bias_;
-  result.bias_covariance = bias_radius_.covariance();
-  return result;
+  bins_.clear();
+  for (std::size_t i = 0; i < ancestors_.size(); ++i) {
+    if (i == 0 || ancestors_[i] != ancestors_[i - 1]) bins_.add(particles_.pose(ancestors_[i]));
+  }
+  return kld_sample_size(bins_.count(), parameters_.sampling);
 }
 
 std::vector<Hypothesis> FixParticleFilter::hypotheses() const {
@@ -230,8 +252,9 @@ std::vector<Hypothesis> FixParticleFilter::hypotheses() const {
   std::vector<Hypothesis> all;
   double total = 0.0;
   for (std::size_t i = 0; i < particles_.size(); i += stride) {
-    all.push_back({particles_.pose(i), weights_[i], shadow_share_[i] > 0.5 ? Mode::kShadow : Mode::kOpen});
-    total += weights_[i];
+    const double weight = particles_.weights()[i];
+    all.push_back({particles_.pose(i), weight, particles_.label(i) > 0.5F ? Mode::kShadow : Mode::kOpen});
+    total += weight;
   }
   for (Hypothesis& hypothesis : all) hypothesis.weight /= total;
   return all;

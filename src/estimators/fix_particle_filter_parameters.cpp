@@ -11,7 +11,7 @@ void RingParameters::fields(ParameterVisitor& field) {
 }
 
 void FixParticleFilterParameters::common_fields(ParameterVisitor& field) {
-  field("particles", particles, {1, 100000}, "1", "M");
+  sampling.fields(field);
   field("ess_threshold", ess_threshold, {0.0, 100000.0}, "1",
         "resample when the effective sample size, Eq. (39), falls below it");
   field("propagate_from", propagate_from, {"particles", "estimate"},
@@ -26,6 +26,8 @@ void FixParticleFilterParameters::common_fields(ParameterVisitor& field) {
         "spread of the particles round the first fix, beside sigma_b");
   field("position_sigma_floor", position_sigma_floor, {0.001, 100.0}, "m",
         "added to the published position: a collapsed set of particles is not certain");
+  field("threads", threads, {1, 64}, "1",
+        "processors to work on, from 20000 particles on; the result is the same for any number");
   motion.fields(field);
   likelihood.fields(field);
   heading.fields(field);

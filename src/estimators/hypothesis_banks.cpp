@@ -26,6 +26,12 @@ struct Bank {
 
 std::array<Bank, kReceiverClassCount> banks_of(const std::vector<BeliefParticle>& particles) {
   std::array<Bank, kReceiverClassCount> banks;
+  ClassCounts sizes{};
+  for (const BeliefParticle& particle : particles) ++sizes[particle.receiver];
+  for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
+    banks[k].members.reserve(sizes[k]);
+    banks[k].cumulative.reserve(sizes[k]);
+  }
   for (std::size_t i = 0; i < particles.size(); ++i) {
     Bank& bank = banks[particles[i].receiver];
     const double before = bank.cumulative.empty() ? 0.0 : bank.cumulative.back();

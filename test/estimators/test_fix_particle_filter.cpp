@@ -18,7 +18,7 @@ namespace {
 template <class Parameters>
 Parameters small() {
   Parameters parameters;
-  parameters.particles = 200;
+  parameters.sampling.min_particles = parameters.sampling.max_particles = 200;
   return parameters;
 }
 
@@ -161,7 +161,7 @@ TYPED_TEST(ParticleFilters, OffsetThatPersistsIsAcceptedAndLeavesASoundEstimate)
 
 TYPED_TEST(ParticleFilters, HypothesesSumToOneAndAreCapped) {
   TypeParam parameters;
-  parameters.particles = 4500;
+  parameters.sampling.min_particles = parameters.sampling.max_particles = 4500;
   WindingDrive drive(13);
   FixParticleFilter filter(parameters, 13);
   filter.start(std::nullopt);
@@ -179,7 +179,7 @@ TYPED_TEST(ParticleFilters, EveryOptionStaysFiniteThroughABiasedDrive) {
     for (const char* heading : {"off", "chord", "printed"}) {
       for (const char* source : {"particles", "estimate"}) {
         TypeParam parameters;
-        parameters.particles = 60;
+        parameters.sampling.min_particles = parameters.sampling.max_particles = 60;
         parameters.likelihood.likelihood_kernel = kernel;
         parameters.heading.fix_heading = heading;
         parameters.heading.fix_heading_distance = 0.0;
@@ -262,6 +262,55 @@ TEST(FixParticleFilter, InnovationIsThatOfTheAntenna) {
   EXPECT_NEAR(result.innovation.y(), 0.0, 0.1);
   EXPECT_GT(result.nis, 0.0);
   EXPECT_LT(result.nis, 9.0);
+}
+
+TEST(FixParticleFilter, ThreadsDoNotChangeTheResult) {
+  std::vector<PoseEstimate> ends;
+  for (const int threads : {1, 2}) {
+    NishidaParticleFilterParameters parameters;
+    parameters.sampling.min_particles = parameters.sampling.max_particles = 25000;
+    parameters.threads = threads;
+    parameters.ess_threshold = 25000.0;
+    WindingDrive drive(19);
+    FixParticleFilter filter(parameters, 19);
+    filter.start(prior_at(drive.truth));
+    drive.run(filter, 2.0);
+    ends.push_back(filter.estimate());
+  }
+  EXPECT_EQ(ends[0].pose.x, ends[1].pose.x);
+  EXPECT_EQ(ends[0].pose.yaw, ends[1].pose.yaw);
+  EXPECT_EQ(ends[0].covariance, ends[1].covariance);
+  EXPECT_EQ(ends[0].effective_sample_size, ends[1].effective_sample_size);
+}
+
+TEST(FixParticleFilter, PlainInstructionsGiveTheSameWithinRounding) {
+  std::vector<Pose2> ends;
+  for (const InstructionSet set : {InstructionSet::kPlain, best_instruction_set()}) {
+    WindingDrive drive(20);
+    FixParticleFilter filter(NishidaParticleFilterParameters{}, 20, set);
+    filter.start(prior_at(drive.truth));
+    drive.run(filter, 1.0);
+    ends.push_back(filter.estimate().pose);
+  }
+  EXPECT_NEAR(ends[0].x, ends[1].x, 0.05);
+  EXPECT_NEAR(ends[0].y, ends[1].y, 0.05);
+  EXPECT_NEAR(ends[0].yaw, ends[1].yaw, 0.02);
+}
+
+TEST(FixParticleFilter, CountOfParticlesFollowsTheSpreadOfTheBelief) {
+  ConventionalParticleFilterParameters parameters;
+  parameters.sampling.min_particles = 100;
+  parameters.sampling.max_particles = 1500;
+  parameters.ess_threshold = 2000.0;
+  WindingDrive drive(21);
+  FixParticleFilter filter(parameters, 21);
+  filter.start(std::nullopt);
+  drive.run(filter, 0.2);
+  EXPECT_GT(filter.hypotheses().size(), 1000U);  // headings all round the circle
+  drive.run(filter, 30.0);
+  EXPECT_LT(filter.hypotheses().size(), 900U);
+  EXPECT_GE(filter.hypotheses().size(), 100U);
+  EXPECT_LT(drive.error(filter), 1.0);
 }
 
 }  // namespace

@@ -3,18 +3,17 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/core/random.hpp"
 #include "multipath_localization/estimators/bias_radius.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 #include "multipath_localization/estimators/fix_heading.hpp"
-#include "multipath_localization/filters/particle_set.hpp"
+#include "multipath_localization/filters/kld_sampling.hpp"
+#include "multipath_localization/filters/particle_cloud.hpp"
 #include "multipath_localization/models/gnss_bias.hpp"
-#include "multipath_localization/models/gnss_position.hpp"
-#include "multipath_localization/models/odometry_motion.hpp"
+#include "multipath_localization/models/gnss_likelihood.hpp"
+#include "multipath_localization/models/steering_motion.hpp"
 
 namespace multipath_localization {
 
@@ -29,12 +28,13 @@ struct RingParameters {
 
 /// Everything that the particle filters of [NIS] have in common.
 struct FixParticleFilterParameters {
-  int particles = 1000;
+  KldSamplingParameters sampling;
   double ess_threshold = 5.0;
   std::string propagate_from = "particles";
   std::string point_estimate = "cluster";
   double start_sigma = 1.0;
   double position_sigma_floor = 0.1;
+  int threads = 1;
   SteeringNoiseParameters motion;
   GnssLikelihoodParameters likelihood;
   FixHeadingParameters heading;
@@ -52,12 +52,13 @@ struct FixParticleFilterParameters {
 /// until the estimate is aligned: the ring stands round the estimate, which has no heading to give before.
 class FixParticleFilter : public Estimator {
  public:
-  FixParticleFilter(const FixParticleFilterParameters& parameters, std::uint64_t seed);
+  FixParticleFilter(const FixParticleFilterParameters& parameters, std::uint64_t seed,
+                    InstructionSet set = best_instruction_set());
 
   void start(const std::optional<PosePrior>& prior) override;
   void predict(const OdometryIncrement& u) override;
   Innovation update(const Measurement& z) override;
-  [[nodiscard]] PoseEstimate estimate() const override;
+  [[nodiscard]] PoseEstimate estimate() const override { return estimate_; }
   /// At most 2000, evenly chosen.
   [[nodiscard]] std::vector<Hypothesis> hypotheses() const override;
 
@@ -67,11 +68,11 @@ class FixParticleFilter : public Estimator {
   void begin_tracking();
   [[nodiscard]] GnssLikelihood likelihood_of(const GnssFix& fix, double radius) const;
   [[nodiscard]] Innovation compare(const GnssFix& fix) const;
-  void sample_ring(double radius, const GnssLikelihood& likelihood);
-  void weigh(const GnssFix& fix, const GnssLikelihood& likelihood);
+  void sample_ring(double radius, const FixSigmas& sigma);
   void take_stock();
+  void describe(const PoseSums& sums, const Pose2& reference);
   void resample();
-  [[nodiscard]] RandomStream random(std::size_t particle) const;
+  [[nodiscard]] std::size_t needed_particles();
 
   FixParticleFilterParameters parameters_;
   std::uint64_t seed_;
@@ -82,15 +83,13 @@ class FixParticleFilter : public Estimator {
   double now_ = 0.0;
   double last_fix_ = 0.0;
 
-  ParticleSet particles_;
-  std::vector<double> weights_;       ///< of the particles, sum 1
-  std::vector<double> cluster_;       ///< the same within the dominant cluster, 0 outside
-  std::vector<double> shadow_share_;  ///< of each particle's likelihood
+  ParticleCloud particles_;               ///< labelled by the shadow's share of their likelihood
+  std::vector<std::uint32_t> ancestors_;  ///< of the last resampling
+  OccupiedBins bins_;
   double cluster_reach_ = 0.0;        ///< [m]
   bool particles_are_fresh_ = false;  ///< from an update, not yet moved
   Pose2 predicted_;                   ///< f(x_est, u) since the last update
-  Eigen::Vector2d bias_ = Eigen::Vector2d::Zero();
-  double effective_sample_size_ = 1.0;
+  PoseEstimate estimate_;
 };
 
 }  // namespace multipath_localization

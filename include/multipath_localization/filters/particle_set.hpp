@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
 #include "multipath_localization/core/pose.hpp"
+#include "multipath_localization/filters/pose_moments.hpp"
 
 namespace multipath_localization {
 
@@ -39,13 +39,6 @@ std::vector<double> weights_of(const std::vector<double>& log_weights);
 
 /// 1 / sum w^2 of weights that sum to 1, Eq. (39) of [NIS]: 1 .. size.
 double effective_sample_size(const std::vector<double>& weights);
-
-/// Mean and covariance (x, y, yaw) of weighted poses. The yaw is the circular mean and deviations from it are
-/// wrapped, so that neither depends on where the circle is cut.
-struct PoseMoments {
-  Pose2 mean;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-};
 
 /// Eq. (35) of [NIS] and its covariance. Weights need not sum to 1 (those of a cluster do not), their sum has
 /// to be positive.

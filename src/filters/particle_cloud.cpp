@@ -1,0 +1,177 @@
+#include "multipath_localization/filters/particle_cloud.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "multipath_localization/core/elementary.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+/// Fewer particles are not worth waking threads for, which takes some 20 us an update: 3 % of the work of
+/// as many.
+constexpr std::size_t kThreadedFrom = 20000;
+constexpr std::size_t kCandidates = 24;
+constexpr std::size_t kProbes = 512;
+
+/// Particles of equal weight that stand for all.
+struct Probes {
+  std::array<double, kProbes> x;
+  std::array<double, kProbes> y;
+  std::array<double, kProbes> yaw;
+};
+
+int count_within(const Probes* probes, PoseNeighbourhood within) {
+  const double square_distance = within.distance * within.distance;
+  int count = 0;
+#pragma omp simd reduction(+ : count)
+  for (std::size_t i = 0; i < kProbes; ++i) {
+    const double dx = probes->x[i] - within.centre.x;
+    const double dy = probes->y[i] - within.centre.y;
+    const double turn = std::abs(elementary::wrap(probes->yaw[i] - within.centre.yaw));
+    const double near = dx * dx + dy * dy <= square_distance ? 1.0 : 0.0;
+    count += static_cast<int>(turn <= within.turn ? near : 0.0);
+  }
+  return count;
+}
+
+/// How many of a block's cumulated weights, in ascending order, are not above `target`: kBlockSize - 1 at
+/// most. Without a branch, that many searches run at a time.
+std::size_t first_above(const double* cumulated, double target) {
+  std::size_t below = 0;
+  for (std::size_t step = kBlockSize / 2; step > 0; step /= 2) {
+    below += cumulated[below + step - 1] <= target ? step : 0;
+  }
+  return below;
+}
+
+/// Where the cumulated weights reach (k + 1/2) / kProbes of their sum, k = 0 .. kProbes - 1.
+std::array<std::size_t, kProbes> evenly_drawn(const BlockWeights& weights) {
+  std::array<std::size_t, kProbes> drawn{};
+  const std::size_t blocks = blocks_of(weights.size());
+  std::size_t block = 0;
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    const double target = (static_cast<double>(k) + 0.5) / kProbes * weights.total();
+    while (block + 1 < blocks && weights.base(block + 1) <= target) ++block;
+    const double* cumulated = weights.cumulated(block);
+    const std::size_t length = block_length(block, weights.size());
+    const double within_block = (target - weights.base(block)) / weights.scale(block);
+    drawn[k] = block_begin(block) + std::min(first_above(cumulated, within_block), length - 1);
+  }
+  return drawn;
+}
+
+double dot(const double* weight, const float* label, std::size_t size) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < size; ++i) sum += weight[i] * static_cast<double>(label[i]);
+  return sum;
+}
+
+}  // namespace
+
+ParticleCloud::ParticleCloud(InstructionSet set, std::size_t threads)
+    : set_(set), threads_(std::make_unique<WorkerPool>(threads)) {}
+
+void ParticleCloud::reset(std::size_t size) {
+  for (auto* values : {&x_, &y_, &yaw_, &log_weight_}) values->assign(size, 0.0);
+  member_.assign(size, 1.0F);
+  label_.assign(size, 0.0F);
+  weights_.set_equal(size);
+}
+
+void ParticleCloud::set_pose(std::size_t i, const Pose2& pose) {
+  x_[i] = pose.x;
+  y_[i] = pose.y;
+  yaw_[i] = pose.yaw;
+}
+
+PoseBlock ParticleCloud::poses(std::size_t block) {
+  const std::size_t first = block_begin(block);
+  return {&x_[first], &y_[first], &yaw_[first], block_length(block, size())};
+}
+
+void ParticleCloud::for_each_block(const std::function<void(std::size_t)>& work) {
+  const std::size_t blocks = blocks_of(size());
+  if (size() >= kThreadedFrom) return threads_->for_each(blocks, work);
+  for (std::size_t block = 0; block < blocks; ++block) work(block);
+}
+
+PoseSums ParticleCloud::sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work) {
+  block_sums_.resize(blocks_of(size()));
+  const auto work_and_sum = [&](std::size_t block) {
+    work(block);
+    block_sums_[block] =
+        pose_sums(set_, poses(block), weights_.relative(block), &member_[block_begin(block)], reference);
+  };
+  for_each_block(std::cref(work_and_sum));
+  PoseSums sums;
+  for (std::size_t block = 0; block < block_sums_.size(); ++block) {
+    sums.add(weights_.scale(block), block_sums_[block]);
+  }
+  return sums;
+}
+
+double ParticleCloud::mean_label() const {
+  double sum = 0.0;
+  for (std::size_t block = 0; block < blocks_of(size()); ++block) {
+    sum += weights_.scale(block) *
+           run<dot>(set_, weights_.relative(block), &label_[block_begin(block)], block_length(block, size()));
+  }
+  return sum;
+}
+
+PoseNeighbourhood ParticleCloud::dominant_neighbourhood(double distance, double turn) const {
+  Probes probes;
+  const auto drawn = evenly_drawn(weights_);
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    probes.x[k] = x_[drawn[k]];
+    probes.y[k] = y_[drawn[k]];
+    probes.yaw[k] = yaw_[drawn[k]];
+  }
+  PoseNeighbourhood dominant;
+  int most = -1;
+  for (std::size_t c = 0; c < kCandidates; ++c) {
+    const std::size_t candidate = drawn[(2 * c + 1) * kProbes / (2 * kCandidates)];
+    const PoseNeighbourhood within{pose(candidate), distance, turn};
+    const int count = run<count_within>(set_, &probes, within);
+    if (count <= most) continue;
+    dominant = within;
+    most = count;
+    if (most == static_cast<int>(kProbes)) break;
+  }
+  return dominant;
+}
+
+PoseSums ParticleCloud::choose_members(const PoseNeighbourhood& within) {
+  const auto mark = [&](std::size_t block) {
+    mark_members(set_, poses(block), within, &member_[block_begin(block)]);
+  };
+  return sums_after(within.centre, std::cref(mark));
+}
+
+/// In plain code, because the gathering instructions of AVX2 are slower than single loads.
+void ParticleCloud::select(const std::vector<std::uint32_t>& ancestors) {
+  const std::size_t size = ancestors.size();
+  for (auto* values : {&spare_x_, &spare_y_, &spare_yaw_}) values->resize(size);
+  for (auto* values : {&spare_member_, &spare_label_}) values->resize(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t ancestor = ancestors[i];
+    spare_x_[i] = x_[ancestor];
+    spare_y_[i] = y_[ancestor];
+    spare_yaw_[i] = yaw_[ancestor];
+    spare_member_[i] = member_[ancestor];
+    spare_label_[i] = label_[ancestor];
+  }
+  x_.swap(spare_x_);
+  y_.swap(spare_y_);
+  yaw_.swap(spare_yaw_);
+  member_.swap(spare_member_);
+  label_.swap(spare_label_);
+  log_weight_.assign(size, 0.0);
+  weights_.set_equal(size);
+}
+
+}  // namespace multipath_localization

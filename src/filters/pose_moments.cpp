@@ -1,0 +1,145 @@
+#include "multipath_localization/filters/pose_moments.hpp"
+
+#include <cmath>
+
+#include "multipath_localization/core/elementary.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+void mark(PoseBlock poses, PoseNeighbourhood within, float* member) {
+  const double square_distance = within.distance * within.distance;
+#pragma omp simd
+  for (std::size_t i = 0; i < poses.size; ++i) {
+    const double dx = poses.x[i] - within.centre.x;
+    const double dy = poses.y[i] - within.centre.y;
+    const double turn = std::abs(elementary::wrap(poses.yaw[i] - within.centre.yaw));
+    const double near = dx * dx + dy * dy <= square_distance ? 1.0 : 0.0;
+    member[i] = static_cast<float>(turn <= within.turn ? near : 0.0);
+  }
+}
+
+/// Zero for others. Gives how many are members.
+float weights_of_members(const double* weight, const float* member, double* of_members, std::size_t size) {
+  float members = 0.0F;
+#pragma omp simd reduction(+ : members)
+  for (std::size_t i = 0; i < size; ++i) {
+    of_members[i] = weight[i] * static_cast<double>(member[i]);
+    members += member[i];
+  }
+  return members;
+}
+
+struct PositionSums {
+  double w, x, y, xx, xy, yy;
+};
+
+PositionSums position_sums(PoseBlock poses, const double* weight, Pose2 reference) {
+  double sw = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
+#pragma omp simd reduction(+ : sw, sx, sy, sxx, sxy, syy)
+  for (std::size_t i = 0; i < poses.size; ++i) {
+    const double x = poses.x[i] - reference.x;
+    const double y = poses.y[i] - reference.y;
+    const double wx = weight[i] * x;
+    const double wy = weight[i] * y;
+    sw += weight[i];
+    sx += wx;
+    sy += wy;
+    sxx += wx * x;
+    sxy += wx * y;
+    syy += wy * y;
+  }
+  return {sw, sx, sy, sxx, sxy, syy};
+}
+
+struct HeadingSums {
+  double d, c, s, xd, yd, dd;
+};
+
+HeadingSums heading_sums(PoseBlock poses, const double* weight, Pose2 reference) {
+  double sd = 0.0, sc = 0.0, ss = 0.0, sxd = 0.0, syd = 0.0, sdd = 0.0;
+#pragma omp simd reduction(+ : sd, sc, ss, sxd, syd, sdd)
+  for (std::size_t i = 0; i < poses.size; ++i) {
+    const double d = elementary::wrap(poses.yaw[i] - reference.yaw);
+    const auto [s, c] = elementary::sincos_pi(d * (1.0 / kPi));
+    const double wd = weight[i] * d;
+    sd += wd;
+    sc += weight[i] * c;
+    ss += weight[i] * s;
+    sxd += wd * (poses.x[i] - reference.x);
+    syd += wd * (poses.y[i] - reference.y);
+    sdd += wd * d;
+  }
+  return {sd, sc, ss, sxd, syd, sdd};
+}
+
+}  // namespace
+
+void mark_members(InstructionSet set, const PoseBlock& poses, const PoseNeighbourhood& within,
+                  float* member) {
+  run<mark>(set, poses, within, member);
+}
+
+void PoseSums::add(double scale, const PoseSums& other) {
+  all.w += scale * other.all.w;
+  all.x += scale * other.all.x;
+  all.y += scale * other.all.y;
+  all.xx += scale * other.all.xx;
+  all.xy += scale * other.all.xy;
+  all.yy += scale * other.all.yy;
+  members.w += scale * other.members.w;
+  members.x += scale * other.members.x;
+  members.y += scale * other.members.y;
+  members.xx += scale * other.members.xx;
+  members.xy += scale * other.members.xy;
+  members.yy += scale * other.members.yy;
+  members.d += scale * other.members.d;
+  members.c += scale * other.members.c;
+  members.s += scale * other.members.s;
+  members.xd += scale * other.members.xd;
+  members.yd += scale * other.members.yd;
+  members.dd += scale * other.members.dd;
+}
+
+PoseSums pose_sums(InstructionSet set, const PoseBlock& poses, const double* weight, const float* member,
+                   const Pose2& reference) {
+  BlockValues of_members;
+  const float members = run<weights_of_members>(set, weight, member, of_members.data(), poses.size);
+  const PositionSums p = run<position_sums>(set, poses, of_members.data(), reference);
+  const bool no_others = members == static_cast<float>(poses.size);
+  const PositionSums all = no_others ? p : run<position_sums>(set, poses, weight, reference);
+  const HeadingSums h = run<heading_sums>(set, poses, of_members.data(), reference);
+  return {{all.w, all.x, all.y, all.xx, all.xy, all.yy},
+          {p.w, p.x, p.y, p.xx, p.xy, p.yy, h.d, h.c, h.s, h.xd, h.yd, h.dd}};
+}
+
+PoseMoments member_moments(const PoseSums& sums, const Pose2& reference) {
+  const PoseSums::Members& m = sums.members;
+  const double x = m.x / m.w;
+  const double y = m.y / m.w;
+  const double d = m.d / m.w;
+  const double turn = std::atan2(m.s, m.c);
+  PoseMoments result;
+  result.mean = {reference.x + x, reference.y + y, wrap_angle(reference.yaw + turn)};
+  Eigen::Matrix3d& P = result.covariance;
+  P(0, 0) = m.xx / m.w - x * x;
+  P(0, 1) = P(1, 0) = m.xy / m.w - x * y;
+  P(1, 1) = m.yy / m.w - y * y;
+  P(0, 2) = P(2, 0) = m.xd / m.w - x * d;
+  P(1, 2) = P(2, 1) = m.yd / m.w - y * d;
+  P(2, 2) = m.dd / m.w - d * d + (d - turn) * (d - turn);
+  P.diagonal() = P.diagonal().cwiseMax(0.0);
+  return result;
+}
+
+Eigen::Matrix2d position_spread(const PoseSums& sums, const Pose2& reference, const Eigen::Vector2d& centre) {
+  const PoseSums::All& a = sums.all;
+  const Eigen::Vector2d c = centre - reference.position();
+  const Eigen::Vector2d mean(a.x / a.w, a.y / a.w);
+  Eigen::Matrix2d square;
+  square << a.xx / a.w, a.xy / a.w, a.xy / a.w, a.yy / a.w;
+  return square - mean * mean.transpose() + (mean - c) * (mean - c).transpose();
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,91 @@
+#include "multipath_localization/models/steering_motion.hpp"
+
+#include <cmath>
+
+#include "multipath_localization/core/elementary.hpp"
+#include "multipath_localization/models/odometry_motion.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+double deviation(double speed_weight, double angle_weight, double speed, double angle) {
+  return std::sqrt(speed_weight * speed * speed + angle_weight * angle * angle);
+}
+
+double clamped(double x, double limit) {
+  const double below = x < limit ? x : limit;
+  return below > -limit ? below : -limit;
+}
+
+/// Eqs. (3)-(8) of [NIS].
+void steer(PoseBlock poses, const Normals* normals, SteeringMotion::Law law) {
+  const double measured_turn = law.speed * std::tan(law.steering_angle);
+  const double rate_scale = law.deviation_scale / law.wheelbase;
+  const double yaw_noise = law.deviation_scale * law.sigma_yaw_rate * law.duration;
+#pragma omp simd
+  for (std::size_t i = 0; i < poses.size; ++i) {
+    const double v = law.speed + law.sigma_speed * static_cast<double>(normals->first[i]);
+    const double phi =
+        clamped(law.steering_angle + law.sigma_steering * static_cast<double>(normals->second[i]),
+                law.max_steering_angle);
+    const double speed = law.speed + law.deviation_scale * (v - law.speed);
+    const double yaw_rate = law.yaw_rate + rate_scale * (v * elementary::tan(phi) - measured_turn);
+    const double half_turn = 0.5 * yaw_rate * law.duration;
+    const double chord = speed * law.duration * elementary::sinc(clamped(half_turn, kPi));
+    const auto [s, c] = elementary::sincos_pi((poses.yaw[i] + half_turn) * (1.0 / kPi));
+    poses.x[i] += chord * c;
+    poses.y[i] += chord * s;
+    // The noise of Eq. (7) turns the robot but does not bend its arc.
+    const double gamma = yaw_noise * static_cast<double>(normals->third[i]);
+    poses.yaw[i] = elementary::wrap(poses.yaw[i] + 2.0 * half_turn + gamma);
+  }
+}
+
+}  // namespace
+
+void SteeringNoiseParameters::fields(ParameterVisitor& field) {
+  field("wheelbase", wheelbase, {0.01, 100.0}, "m", "l, Eq. (4): distance of the axles");
+  field("alpha1", alpha1, {0.0, 1e3}, "1", "speed variance per speed^2, Eq. (5)");
+  field("alpha2", alpha2, {0.0, 1e3}, "m^2/s^2", "speed variance per steering angle^2, Eq. (5)");
+  field("alpha3", alpha3, {0.0, 1e3}, "s^2/m^2", "steering variance per speed^2, Eq. (6)");
+  field("alpha4", alpha4, {0.0, 1e3}, "1", "steering variance per steering angle^2, Eq. (6)");
+  field("alpha5", alpha5, {0.0, 1e3}, "1/m^2", "yaw rate variance per speed^2, Eq. (7)");
+  field("alpha6", alpha6, {0.0, 1e3}, "1/s^2", "yaw rate variance per steering angle^2, Eq. (7)");
+  field("noise_scale", noise_scale, {0.0, 1.0}, "1",
+        "factor on all six; 1 as printed, where the steering noise of 17 rad wraps round the circle");
+  field("noise_period", noise_period, {1e-4, 10.0}, "s",
+        "Delta, for which the six are meant; other increments get the same noise per distance");
+  field("max_steering_angle", max_steering_angle, {0.01, 1.57}, "rad",
+        "no steering noise turns the wheel further; 1.57 as printed");
+}
+
+double steering_angle(const OdometryIncrement& u, double wheelbase) {
+  if (std::abs(u.speed) < kStandstillSpeed) return 0.0;
+  return std::atan(wheelbase * u.yaw_rate / u.speed);
+}
+
+SteeringMotion::SteeringMotion(const OdometryIncrement& u, const SteeringNoiseParameters& parameters)
+    : standing_(standing(u)) {
+  law_.speed = u.speed;
+  law_.yaw_rate = u.yaw_rate;
+  law_.duration = u.duration;
+  law_.wheelbase = parameters.wheelbase;
+  law_.max_steering_angle = parameters.max_steering_angle;
+  law_.steering_angle = clamped(steering_angle(u, parameters.wheelbase), parameters.max_steering_angle);
+  if (std::abs(u.speed) < kStandstillSpeed) return;
+  const auto sigma = [&](double speed_weight, double angle_weight) {
+    return std::sqrt(parameters.noise_scale) *
+           deviation(speed_weight, angle_weight, u.speed, law_.steering_angle);
+  };
+  law_.sigma_speed = sigma(parameters.alpha1, parameters.alpha2);
+  law_.sigma_steering = sigma(parameters.alpha3, parameters.alpha4);
+  law_.sigma_yaw_rate = sigma(parameters.alpha5, parameters.alpha6);
+  law_.deviation_scale = std::sqrt(parameters.noise_period / u.duration);
+}
+
+void SteeringMotion::move(InstructionSet set, const PoseBlock& poses, const Normals& normals) const {
+  if (!standing_) run<steer>(set, poses, &normals, law_);
+}
+
+}  // namespace multipath_localization
