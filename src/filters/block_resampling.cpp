@@ -18,7 +18,7 @@ void teeth_below(const double* cumulated, double scale, double base, Comb comb, 
 #pragma omp simd
   for (std::size_t i = 0; i < kBlockSize; ++i) {
     const double place = (base + scale * cumulated[i]) * comb.teeth_per_weight - comb.uniform;
-    const double whole = static_cast<double>(static_cast<std::int32_t>(place));
+    const auto whole = static_cast<double>(static_cast<std::int32_t>(place));
     const double below = whole < place ? whole + 1.0 : whole;
     teeth[i] = static_cast<std::int32_t>(below < comb.count ? below : comb.count);
   }

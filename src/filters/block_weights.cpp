@@ -1,6 +1,7 @@
 #include "multipath_localization/filters/block_weights.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -44,7 +45,7 @@ Sums exponentiate(const double* log_weight, double log_heaviest, double* weight,
 double cumulate(const double* weight, double* cumulated) {
   constexpr std::size_t kStretches = 8;
   constexpr std::size_t kLength = kBlockSize / kStretches;
-  double reached[kStretches] = {};
+  std::array<double, kStretches> reached{};
   for (std::size_t i = 0; i < kLength; ++i) {
     for (std::size_t k = 0; k < kStretches; ++k) {
       reached[k] += weight[k * kLength + i];

@@ -37,7 +37,7 @@ std::size_t most_particles(const KldSamplingParameters& parameters) {
 std::size_t kld_sample_size(std::size_t bins, const KldSamplingParameters& parameters) {
   const auto least = static_cast<std::size_t>(parameters.min_particles);
   if (bins < 2) return least;
-  const double dof = static_cast<double>(bins - 1);
+  const auto dof = static_cast<double>(bins - 1);
   const double spread = 2.0 / (9.0 * dof);
   const double size =
       dof / (2.0 * parameters.kld_err) * std::pow(1.0 - spread + std::sqrt(spread) * parameters.kld_z, 3);

@@ -36,7 +36,12 @@ struct PositionSums {
 };
 
 PositionSums position_sums(PoseBlock poses, const double* weight, Pose2 reference) {
-  double sw = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;
+  double sw = 0.0;
+  double sx = 0.0;
+  double sy = 0.0;
+  double sxx = 0.0;
+  double sxy = 0.0;
+  double syy = 0.0;
 #pragma omp simd reduction(+ : sw, sx, sy, sxx, sxy, syy)
   for (std::size_t i = 0; i < poses.size; ++i) {
     const double x = poses.x[i] - reference.x;
@@ -58,7 +63,12 @@ struct HeadingSums {
 };
 
 HeadingSums heading_sums(PoseBlock poses, const double* weight, Pose2 reference) {
-  double sd = 0.0, sc = 0.0, ss = 0.0, sxd = 0.0, syd = 0.0, sdd = 0.0;
+  double sd = 0.0;
+  double sc = 0.0;
+  double ss = 0.0;
+  double sxd = 0.0;
+  double syd = 0.0;
+  double sdd = 0.0;
 #pragma omp simd reduction(+ : sd, sc, ss, sxd, syd, sdd)
   for (std::size_t i = 0; i < poses.size; ++i) {
     const double d = elementary::wrap(poses.yaw[i] - reference.yaw);

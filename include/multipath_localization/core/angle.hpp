@@ -8,7 +8,7 @@ inline constexpr double kPi = 3.14159265358979323846;
 
 /// The same angle in (-pi, pi]. NaN and infinities give NaN.
 inline double wrap_angle(double angle) {
-  if (angle > -kPi && angle <= kPi) return angle;
+  if (angle > -kPi && angle <= kPi) return angle;  // what `remainder` would give, ten times as slowly
   const double wrapped = std::remainder(angle, 2.0 * kPi);
   return wrapped <= -kPi ? kPi : wrapped;
 }

@@ -3,11 +3,9 @@
 #include <array>
 #include <cstdint>
 
-namespace multipath_localization {
-
 /// The rounds of Threefry (Salmon et al., SC 2011), which are additions, rotations and exclusive-ors alone:
 /// every instruction set has these for vectors.
-namespace threefry {
+namespace multipath_localization::threefry {
 
 inline constexpr std::array<int, 8> kRotationEven = {10, 11, 13, 23, 6, 17, 25, 18};
 inline constexpr std::array<int, 8> kRotationOdd = {26, 21, 27, 5, 20, 11, 10, 20};
@@ -43,6 +41,4 @@ inline std::array<std::uint32_t, 5> schedule(const std::array<std::uint32_t, 4>&
   return {key[0], key[1], key[2], key[3], kParity ^ key[0] ^ key[1] ^ key[2] ^ key[3]};
 }
 
-}  // namespace threefry
-
-}  // namespace multipath_localization
+}  // namespace multipath_localization::threefry
