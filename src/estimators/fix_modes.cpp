@@ -123,9 +123,11 @@ FixCandidates FixModes::candidates(const FixMode& mode, const Belief& belief) co
 Eigen::Matrix2d FixModes::extra_position_covariance(const FixCandidate& candidate, double yaw) const {
   if (candidate.restart != Restart::kNone)
     return square(interval_.restart_sigma) * Eigen::Matrix2d::Identity();
-  if (!candidate.mode.slipping) return Eigen::Matrix2d::Zero();
+  const Eigen::Matrix2d walk =
+      square(receiver_.position_walk) * interval_.duration * Eigen::Matrix2d::Identity();
+  if (!candidate.mode.slipping) return walk;
   const Eigen::Vector2d along(std::cos(yaw), std::sin(yaw));
-  return square(std::min(interval_.distance, kMaxSlip)) * along * along.transpose();
+  return walk + square(std::min(interval_.distance, kMaxSlip)) * along * along.transpose();
 }
 
 double FixModes::log_likelihood(const FixCandidate& candidate, const FixPrediction& prediction, double yaw,
@@ -156,6 +158,8 @@ void FixModes::apply(const FixCandidate& candidate, const Eigen::Vector2d& fix,
     belief.renew(kGyroBias, 0.0, square(odometry.gyro_bias_sigma));
   }
   if (!candidate.outlier) belief.correct(fix, antenna_in_base, candidate.fix_variance);
+  // Of the turning on to the next fix, which is as far away as the last: this one's likelihood knew none of it.
+  belief.covariance(kYaw, kYaw) += square(receiver_.yaw_walk) * interval_.duration;
 }
 
 }  // namespace multipath_localization

@@ -130,7 +130,11 @@ std::string Localizer::missed() const {
 std::string Localizer::state_reason() const {
   switch (state()) {
     case Trust::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
-    case Trust::kAligning: return "heading or position not yet confirmed, drive on under open sky";
+    case Trust::kAligning:
+      if (estimator_->estimate().wheel_fault_probability > 0.5) {
+        return "odometry contradicts the fixes: do the wheels slip, does an encoder fail?";
+      }
+      return "heading or position not yet confirmed, drive on under open sky";
     case Trust::kGood: return basis() + " agree with odometry" + missed();
     case Trust::kMultipath: return basis() + " are biased, the bias is being tracked" + missed();
     case Trust::kDeadReckoning: return "no usable fix, running on odometry";

@@ -14,6 +14,7 @@ namespace {
 constexpr double kMaxFlush = 1.2;               ///< odometry is linearised over at most this long [s]
 constexpr double kMovedSinceFix = 0.02;         ///< less is a standing robot [m]
 constexpr double kSettledProbability = 0.95;    ///< of the canyon, and of one cluster in it
+constexpr double kFault = 0.5;                  ///< probability that counts as one
 constexpr double kSettledYawSigma = 0.35;       ///< of the heading there [rad]
 constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
@@ -159,10 +160,19 @@ std::vector<double> MultipathParticleFilter::sample_modes(const GnssFix& fix, do
   return log_likelihood;
 }
 
+/// What odometry said while it failed is lost: the pose is to be found and confirmed anew.
+void MultipathParticleFilter::unconfirm() {
+  confirmed_ = false;
+  confirmed_over_ = settled_over_ = 0.0;
+  alignment_.clear();
+}
+
 void MultipathParticleFilter::update_confirmation() {
+  if (class_probability_[kWheelFault] > kFault) return unconfirm();
   double open_quiet = 0.0;
   for (const BeliefParticle& particle : particles_) {
-    if (!particle.mode.shadow && !particle.mode.noisy) open_quiet += particle.weight;
+    const bool quiet = !particle.mode.shadow && !particle.mode.noisy;
+    if (quiet && particle.receiver != kWheelFault) open_quiet += particle.weight;
   }
   const bool settled = class_probability_[kCanyon] > kSettledProbability &&
                        cluster_.mass > kSettledProbability &&
@@ -196,6 +206,7 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   result.position_covariance_overall = cluster_.overall_position_covariance + floor;
   result.shadow_probability = cluster_.shadow;
   result.canyon_probability = class_probability_[kCanyon];
+  result.wheel_fault_probability = class_probability_[kWheelFault];
   result.bias = belief.mean.tail<2>();
   result.bias_covariance = belief.covariance.bottomRightCorner<2, 2>();
   result.effective_sample_size = effective_sample_size_;

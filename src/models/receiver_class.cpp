@@ -35,10 +35,12 @@ void ReceiverClass::fields(ParameterVisitor& field) {
   field("outlier_sigma", outlier_sigma, {0.1, 1000.0}, "m", "size of lone outliers");
   field("jump_rate", jump_rate, {0.0, 10.0}, "1/s",
         "rate of restarts from the fixes until the pose is confirmed");
+  field("position_walk", position_walk, {0.0, 100.0}, "m/sqrt(s)", "motion that odometry knows nothing of");
+  field("yaw_walk", yaw_walk, {0.0, 10.0}, "rad/sqrt(s)", "turning that odometry knows nothing of");
 }
 
 ReceiverClasses::ReceiverClasses() {
-  street.prior = 0.39;
+  street.prior = 0.38;
   street.entry_rate = 1e-5;
   street.open_bias_sigma = 0.2;
 
@@ -61,6 +63,14 @@ ReceiverClasses::ReceiverClasses() {
   drifting.prior = 0.3;
   drifting.quiet_sigma = 0.4;
   drifting.open_bias_sigma = 0.7;
+
+  wheel_fault.prior = 0.01;
+  wheel_fault.shadow_entry_rate = 0.0;
+  wheel_fault.shadow_at_start = 0.0;
+  wheel_fault.slip_rate = 0.0;
+  wheel_fault.jump_rate = 0.0;
+  wheel_fault.position_walk = 1.0;
+  wheel_fault.yaw_walk = 0.5;
 }
 
 void ReceiverClasses::fields(ParameterVisitor& field) {
@@ -70,11 +80,14 @@ void ReceiverClasses::fields(ParameterVisitor& field) {
   field.group("noisy", noisy, "plain receiver: as street, with white noise of a metre under open sky");
   field.group("drifting", drifting,
               "smoothing receiver: as street, with slow errors of a metre under open sky");
+  field.group("wheel_fault", wheel_fault,
+              "wheels that slip on and on, encoders that fail: odometry says nothing, the fixes are good");
 }
 
 const ReceiverClass& ReceiverClasses::operator[](std::size_t index) const {
   if (index == 0) return street;
   if (index == kCanyon) return canyon;
+  if (index == kWheelFault) return wheel_fault;
   return index == 2 ? noisy : drifting;
 }
 

@@ -33,6 +33,8 @@ class SimulatedDrive {
   double latency = 0.0;  ///< [s]
   double time = 0.0;
   std::function<Eigen::Vector2d(double)> bias = [](double) { return Eigen::Vector2d(0.0, 0.0); };
+  /// What becomes of the odometry on its way.
+  std::function<OdometryIncrement(const OdometryIncrement&)> spoilt = [](const OdometryIncrement& u) { return u; };
   bool receiving = true;
 
   /// Drives on for `duration`, calling `observe` after each fix has been made (and delivered, if not late).
@@ -40,7 +42,7 @@ class SimulatedDrive {
       Localizer& localizer, double duration, const std::function<void()>& observe = [] {}) {
     const auto steps = std::lround(duration / kStep);
     for (long i = 0; i < steps; ++i) {
-      localizer.add(drive());
+      localizer.add(spoilt(drive()));
       if (step_ % kStepsPerFix == 0 && receiving) underway_.push_back(fix());
       while (!underway_.empty() && underway_.front().stamp + latency < time + 1e-9) {
         localizer.add(Measurement(underway_.front()));

@@ -18,14 +18,14 @@ std::atomic<std::size_t> allocations{0};
 
 }  // namespace
 
-// All others of the standard library come down to these.
-void* operator new(std::size_t size) {
+// All others of the standard library come down to these. Inlined, new and delete would not look like a pair.
+__attribute__((noinline)) void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+__attribute__((noinline)) void operator delete(void* memory) noexcept { std::free(memory); }
+__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace multipath_localization {
 namespace {

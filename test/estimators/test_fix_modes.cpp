@@ -94,7 +94,9 @@ TEST(FixModes, LikelihoodIsTheDensityOfTheFixAfterTheCandidate) {
   const ReceiverClasses classes;
   const FixInterval interval = driving(0.4);
   for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
-    const FixModes modes(classes[k], interval);
+    ReceiverClass receiver = classes[k];
+    receiver.yaw_walk = 0.0;  // of which the likelihood knows nothing
+    const FixModes modes(receiver, interval);
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       const Belief belief = off_heading(seed);
       for (const FixMode& mode : all_modes()) {
@@ -191,6 +193,18 @@ TEST(FixModes, AStandingRobotNeitherSlipsNorRestarts) {
     if (!candidate.mode.slipping && candidate.restart == Restart::kNone) continue;
     EXPECT_EQ(candidate.prior, 0.0);
   }
+}
+
+TEST(FixModes, WhatOdometryDoesNotKnowMakesPositionAndHeadingUnsure) {
+  const ReceiverClasses classes;
+  const FixInterval interval = driving(0.4);
+  const Belief before = off_heading(3);
+  const FixModes modes(classes[kWheelFault], interval);
+  const Belief after = carried_over(modes, modes.candidates({}, before)[0], before);
+  const double position = after.covariance(kX, kX) - before.covariance(kX, kX);
+  EXPECT_NEAR(position, classes.wheel_fault.position_walk * classes.wheel_fault.position_walk * 0.4, 1e-12);
+  const double heading = after.covariance(kYaw, kYaw) - before.covariance(kYaw, kYaw);
+  EXPECT_NEAR(heading, classes.wheel_fault.yaw_walk * classes.wheel_fault.yaw_walk * 0.4, 1e-12);
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ void expect_weights(const std::vector<BeliefParticle>& particles, const PerClass
   for (std::size_t k = 0; k < kReceiverClassCount; ++k) EXPECT_NEAR(actual[k], expected[k], tolerance) << k;
 }
 
-constexpr ClassCounts kSizes = {40, 30, 10, 20};
-constexpr PerClass kWeights = {0.5, 0.3, 0.15, 0.05};
+constexpr ClassCounts kSizes = {40, 30, 10, 15, 5};
+constexpr PerClass kWeights = {0.5, 0.3, 0.1, 0.06, 0.04};
 
 TEST(ClassCounts, SumToTheCountAndKeepTheFloor) {
   const double tiny = 1e-9;
@@ -125,6 +125,7 @@ TEST(MixClasses, KeepsTheTotalAndMovesTheFlow) {
   classes.canyon.entry_rate = 0.05;
   classes.noisy.entry_rate = 0.0;
   classes.drifting.entry_rate = 0.02;
+  classes.wheel_fault.entry_rate = 0.01;
   const double dt = 0.5;
   PerClass expected = kWeights;
   for (std::size_t from = 0; from < kReceiverClassCount; ++from) {

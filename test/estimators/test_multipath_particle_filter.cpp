@@ -307,5 +307,27 @@ TEST(MultipathParticleFilter, AFirstFixFarAwayIsAStartLikeAnyOther) {
   EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
 }
 
+TEST(MultipathParticleFilter, SaysWhenAnEncoderFailedAndFindsTheWayBack) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SimulatedDrive robot(seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.0);
+    ASSERT_TRUE(localizer.estimate().aligned);
+    robot.spoilt = [](const OdometryIncrement& u) {  // the left wheel stands, of two that are 0.6 m apart
+      const double right = u.speed + 0.3 * u.yaw_rate;
+      return OdometryIncrement{u.stamp, u.duration, 0.5 * right, right / 0.6};
+    };
+    robot.run(localizer, 10.0);
+    robot.spoilt = [](const OdometryIncrement& u) { return u; };
+    bool said = false;
+    robot.run(localizer, 120.0, [&] {
+      said = said || localizer.state_reason().find("odometry contradicts the fixes") != std::string::npos;
+    });
+    EXPECT_TRUE(said) << seed;
+    EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 2.0) << seed;
+    EXPECT_LT(nees(localizer.estimate(), robot.truth), 14.0) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace multipath_localization

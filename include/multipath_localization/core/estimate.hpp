@@ -66,6 +66,7 @@ struct PoseEstimate {
       Eigen::Matrix2d::Identity();                            ///< all clusters, about `pose` [m^2]
   double shadow_probability = 0.0;                            ///< of the mode "fixes are biased"
   double canyon_probability = 0.0;                            ///< of the receiver class "deep canyon"
+  double wheel_fault_probability = 0.0;                       ///< of odometry that says nothing
   Eigen::Vector2d bias = Eigen::Vector2d::Zero();             ///< of the fix [m]
   Eigen::Matrix2d bias_covariance = Eigen::Matrix2d::Zero();  ///< [m^2]
   double effective_sample_size = 1.0;

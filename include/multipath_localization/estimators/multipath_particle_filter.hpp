@@ -61,6 +61,7 @@ class MultipathParticleFilter : public Estimator {
   /// Samples the mode of every hypothesis and corrects it by the fix; gives the log likelihood of each.
   std::vector<double> sample_modes(const GnssFix& fix, double duration);
   [[nodiscard]] FixInterval interval(const ReceiverClass& receiver, double duration) const;
+  void unconfirm();
   void update_confirmation();
   void refresh_cluster();
   [[nodiscard]] Innovation innovation(const GnssFix& fix) const;

@@ -7,7 +7,8 @@
 
 namespace multipath_localization {
 
-/// How the errors of a fix behave in one kind of place, for one kind of receiver.
+/// How the errors of a fix behave in one kind of place, for one kind of receiver, and how the robot moves apart
+/// from its odometry.
 ///
 /// The fix is position + bias + white noise. The bias is a Gauss-Markov process that switches between two
 /// modes: `open` (small, of receiver and atmosphere) and `shadow` (large, of reflected and diffracted
@@ -35,6 +36,8 @@ struct ReceiverClass {
   double outlier_probability = 0.01;
   double outlier_sigma = 15.0;
   double jump_rate = 0.05;
+  double position_walk = 0.0;
+  double yaw_walk = 0.0;
 
   void fields(ParameterVisitor& field);
 };
@@ -45,13 +48,15 @@ struct ReceiverClasses {
   ReceiverClass canyon;
   ReceiverClass noisy;
   ReceiverClass drifting;
+  ReceiverClass wheel_fault;
 
   ReceiverClasses();
   void fields(ParameterVisitor& field);
   [[nodiscard]] const ReceiverClass& operator[](std::size_t index) const;
 };
 
-inline constexpr std::size_t kReceiverClassCount = 4;
+inline constexpr std::size_t kReceiverClassCount = 5;
 inline constexpr std::size_t kCanyon = 1;
+inline constexpr std::size_t kWheelFault = 4;
 
 }  // namespace multipath_localization
