@@ -2,11 +2,21 @@
 
 #include <cmath>
 
+#include "multipath_localization/core/instruction_set.hpp"
+
 namespace multipath_localization {
 
 namespace {
 
 double square(double x) { return x * x; }
+
+/// P - r r' of n x n, column by column.
+void subtract_square(double* P, const double* r, Eigen::Index n) {
+  for (Eigen::Index j = 0; j < n; ++j, P += n) {
+    const double factor = r[j];
+    for (Eigen::Index i = 0; i < n; ++i) P[i] -= factor * r[i];
+  }
+}
 
 }  // namespace
 
@@ -122,7 +132,8 @@ void PseudorangeBelief::correct(const Vector& PHt, double S, double innovation) 
   mean(kYaw) = wrap_angle(mean(kYaw));
   // As a square, so that rounding leaves P symmetric.
   const Vector root = PHt / std::sqrt(S);
-  covariance.noalias() -= root * root.transpose();
+  static const InstructionSet set = best_instruction_set();
+  run<subtract_square>(set, covariance.data(), root.data(), root.size());
 }
 
 void PseudorangeBelief::renew(int state, double value, double variance) {
