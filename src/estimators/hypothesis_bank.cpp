@@ -39,6 +39,7 @@ std::vector<double> weights_of(const std::vector<PseudorangeHypothesis>& bank) {
   double highest = bank.front().log_weight;
   for (const auto& hypothesis : bank) highest = std::max(highest, hypothesis.log_weight);
   std::vector<double> weights;
+  weights.reserve(bank.size());
   double sum = 0.0;
   for (const auto& hypothesis : bank) {
     weights.push_back(std::exp(hypothesis.log_weight - highest));
@@ -52,12 +53,14 @@ void thin_out(std::vector<PseudorangeHypothesis>& bank, double least) {
   double highest = bank.front().log_weight;
   for (const auto& hypothesis : bank) highest = std::max(highest, hypothesis.log_weight);
   std::vector<std::size_t> order;
+  order.reserve(bank.size());
   for (std::size_t i = 0; i < bank.size(); ++i) {
     if (bank[i].log_weight >= highest + std::log(least)) order.push_back(i);
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return bank[a].log_weight > bank[b].log_weight; });
   std::vector<std::size_t> kept;
+  kept.reserve(order.size());
   for (const std::size_t i : order) {
     const auto heir =
         std::find_if(kept.begin(), kept.end(), [&](std::size_t k) { return agree(bank[k], bank[i]); });
@@ -79,6 +82,7 @@ void thin_out(std::vector<PseudorangeHypothesis>& bank, double least) {
 std::vector<BeliefParticle> planar(const std::vector<PseudorangeHypothesis>& bank) {
   const std::vector<double> weights = weights_of(bank);
   std::vector<BeliefParticle> particles;
+  particles.reserve(bank.size());
   for (std::size_t i = 0; i < bank.size(); ++i) {
     BeliefParticle particle;
     particle.belief = bank[i].belief.planar();

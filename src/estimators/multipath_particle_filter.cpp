@@ -14,7 +14,7 @@ namespace {
 constexpr double kMaxFlush = 1.2;               ///< odometry is linearised over at most this long [s]
 constexpr double kMovedSinceFix = 0.02;         ///< less is a standing robot [m]
 constexpr double kSettledProbability = 0.95;    ///< of the canyon, and of one cluster in it
-constexpr double kFault = 0.5;                  ///< probability that counts as one
+constexpr double kHalf = 0.5;
 constexpr double kSettledYawSigma = 0.35;       ///< of the heading there [rad]
 constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
@@ -106,7 +106,7 @@ FixInterval MultipathParticleFilter::interval(const ReceiverClass& receiver, dou
   result.moving = distance_since_fix_ > kMovedSinceFix;
   result.position_restart_rate = confirmed_ ? 0.0 : receiver.jump_rate;
   result.heading_restart_rate = confirmed_ ? parameters_.heading_restart_rate : receiver.jump_rate;
-  result.restart_sigma = parameters_.restart_sigma;
+  result.restart_sigma = std::max(parameters_.restart_sigma, doubtful_bias());
   result.slip_end_rate = parameters_.slip_end_rate;
   if (result.moving) result.aligned_heading = alignment_.heading();
   return result;
@@ -160,15 +160,25 @@ std::vector<double> MultipathParticleFilter::sample_modes(const GnssFix& fix, do
   return log_likelihood;
 }
 
-/// What odometry said while it failed is lost: the pose is to be found and confirmed anew.
+/// The bias of the dominant cluster where no street has one as large: it is rather the pose that is wrong.
+double MultipathParticleFilter::doubtful_bias() const {
+  const double bias = cluster_.belief.mean.tail<2>().norm();
+  const bool doubtful = bias > parameters_.largest_bias && class_probability_[kCanyon] < kHalf;
+  return doubtful ? bias : 0.0;
+}
+
+/// The pose is to be found and confirmed anew.
 void MultipathParticleFilter::unconfirm() {
   confirmed_ = false;
   confirmed_over_ = settled_over_ = 0.0;
-  alignment_.clear();
 }
 
 void MultipathParticleFilter::update_confirmation() {
-  if (class_probability_[kWheelFault] > kFault) return unconfirm();
+  if (class_probability_[kWheelFault] > kHalf) {
+    alignment_.clear();
+    return unconfirm();
+  }
+  if (doubtful_bias() > 0.0) return unconfirm();
   double open_quiet = 0.0;
   for (const BeliefParticle& particle : particles_) {
     const bool quiet = !particle.mode.shadow && !particle.mode.noisy;

@@ -12,6 +12,8 @@ void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
         "fixes within this time count as one piece of evidence about the receiver class");
   field("restart_sigma", restart_sigma, {0.1, 100.0}, "m",
         "uncertainty of position at a restart from the fixes");
+  field("largest_bias", largest_bias, {0.1, 1e4}, "m",
+        "a larger bias is believed in a canyon alone; elsewhere it makes the pose unconfirmed");
   field("heading_restart_rate", heading_restart_rate, {0.0, 1.0}, "1/s",
         "rate of restarts of the heading from the fixes once the pose is confirmed");
   field("slip_end_rate", slip_end_rate, {0.01, 100.0}, "1/s", "rate of wheel slip ending");

@@ -1,6 +1,7 @@
 #include "multipath_localization/estimators/pseudorange_hypothesis.hpp"
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <utility>
 
@@ -19,8 +20,11 @@ constexpr double kQuarter = 0.25;
 
 double square(double x) { return x * x; }
 
-/// The value below which `fraction` of the weight lies, of (value, weight) in ascending order.
-double weighted_quantile(const std::vector<std::pair<double, double>>& sorted, double fraction) {
+/// Values and their weights, one a satellite, which has a slot.
+using WeightedValues = boost::container::static_vector<std::pair<double, double>, SatelliteSlots::kCapacity>;
+
+/// The value below which `fraction` of the weight lies, of values in ascending order.
+double weighted_quantile(const WeightedValues& sorted, double fraction) {
   double total = 0.0;
   for (const auto& [value, weight] : sorted) total += weight;
   double sum = 0.0;
@@ -187,8 +191,7 @@ void PseudorangeHypothesis::update_rate(const SlottedObservation& satellite, con
 
 /// Receivers steer their clocks in jumps: then all residuals move together, which no reflection explains.
 void PseudorangeHypothesis::reopen_clock(const SlottedEpoch& epoch, const RangeErrorParameters& errors) {
-  std::vector<std::pair<double, double>> residuals;  // and their weights
-  residuals.reserve(epoch.satellites.size());
+  WeightedValues residuals;
   for (const SlottedObservation& satellite : epoch.satellites) {
     const RangePrediction prediction(belief, satellite, epoch);
     residuals.emplace_back(satellite.observation.pseudorange - prediction.range, satellite.prior);

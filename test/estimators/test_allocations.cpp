@@ -84,32 +84,42 @@ TEST(Allocations, ResamplingAtEveryFixWithThreadsNeedsNone) {
   EXPECT_EQ(allocations - before, 0U);
 }
 
-/// Of ten increments and of one epoch, well under way.
-std::pair<std::size_t, std::size_t> allocations_on_pseudoranges(int particles) {
+using Counts = std::pair<std::size_t, std::size_t>;
+
+/// Of ten increments and of one epoch, the most over ten epochs well under way.
+Counts allocations_on_pseudoranges(const char* name, const std::string& parameters) {
   PseudorangeDrive drive(3);
-  const auto filter = make_estimator("pseudorange_particle_filter",
-                                     YAML::Load("{particles: " + std::to_string(particles) + "}"), 1);
+  const auto filter = make_estimator(name, YAML::Load(parameters), 1);
   filter->start(std::nullopt);
-  std::pair<std::size_t, std::size_t> counted;
+  Counts most;
   for (int epoch = 0; epoch < 60; ++epoch) {
     std::size_t before = allocations;
     for (int i = 1; i <= 10; ++i) filter->predict({0.5 * epoch + 0.05 * i, 0.05, 0.0, 0.0});
-    counted.first = allocations - before;
+    const std::size_t moving = allocations - before;
     drive.time = 0.5 * (epoch + 1);
     const PseudorangeEpoch measured = drive.epoch();
     before = allocations;
     filter->update(measured);
-    counted.second = allocations - before;
+    if (epoch >= 50) most = {std::max(most.first, moving), std::max(most.second, allocations - before)};
   }
-  return counted;
+  return most;
 }
 
-TEST(Allocations, PseudorangesAllocateByTheEpochAndNotByTheParticle) {
-  const auto few = allocations_on_pseudoranges(100);
-  const auto many = allocations_on_pseudoranges(500);
+TEST(Allocations, OfTheParticleFilterOfPseudorangesAreByTheEpochAndNotByTheParticle) {
+  const Counts few = allocations_on_pseudoranges("pseudorange_particle_filter", "{particles: 100}");
+  const Counts many = allocations_on_pseudoranges("pseudorange_particle_filter", "{particles: 500}");
   EXPECT_EQ(few.first, 0U);
   EXPECT_EQ(many.first, 0U);
   EXPECT_EQ(few.second, many.second);
+}
+
+TEST(Allocations, OfTheMixtureFilterAreByTheEpochAndNotByTheHypothesis) {
+  const Counts few = allocations_on_pseudoranges("pseudorange_mixture_filter", "{hypotheses: 20}");
+  const Counts many = allocations_on_pseudoranges("pseudorange_mixture_filter", "{hypotheses: 400}");
+  EXPECT_EQ(few.first, 0U);
+  EXPECT_EQ(many.first, 0U);
+  EXPECT_LT(few.second, 60U);
+  EXPECT_LT(many.second, 60U);
 }
 
 }  // namespace

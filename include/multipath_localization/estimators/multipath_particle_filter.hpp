@@ -17,6 +17,7 @@ struct MultipathParticleFilterParameters {
   double class_floor = 0.05;
   double class_evidence_time = 2.0;
   double restart_sigma = 5.0;
+  double largest_bias = 20.0;
   double heading_restart_rate = 0.001;
   double slip_end_rate = 1.0;
   double alignment_length = 12.0;
@@ -61,6 +62,7 @@ class MultipathParticleFilter : public Estimator {
   /// Samples the mode of every hypothesis and corrects it by the fix; gives the log likelihood of each.
   std::vector<double> sample_modes(const GnssFix& fix, double duration);
   [[nodiscard]] FixInterval interval(const ReceiverClass& receiver, double duration) const;
+  [[nodiscard]] double doubtful_bias() const;
   void unconfirm();
   void update_confirmation();
   void refresh_cluster();
