@@ -158,7 +158,8 @@ void FixModes::apply(const FixCandidate& candidate, const Eigen::Vector2d& fix,
     belief.renew(kGyroBias, 0.0, square(odometry.gyro_bias_sigma));
   }
   if (!candidate.outlier) belief.correct(fix, antenna_in_base, candidate.fix_variance);
-  // Of the turning on to the next fix, which is as far away as the last: this one's likelihood knew none of it.
+  // Of the turning on to the next fix, which is as far away as the last: this one's likelihood knew none of
+  // it.
   belief.covariance(kYaw, kYaw) += square(receiver_.yaw_walk) * interval_.duration;
 }
 

@@ -11,9 +11,9 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kMaxFlush = 1.2;               ///< odometry is linearised over at most this long [s]
-constexpr double kMovedSinceFix = 0.02;         ///< less is a standing robot [m]
-constexpr double kSettledProbability = 0.95;    ///< of the canyon, and of one cluster in it
+constexpr double kMaxFlush = 1.2;             ///< odometry is linearised over at most this long [s]
+constexpr double kMovedSinceFix = 0.02;       ///< less is a standing robot [m]
+constexpr double kSettledProbability = 0.95;  ///< of the canyon, and of one cluster in it
 constexpr double kHalf = 0.5;
 constexpr double kSettledYawSigma = 0.35;       ///< of the heading there [rad]
 constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles

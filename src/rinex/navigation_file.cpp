@@ -95,8 +95,8 @@ class NavigationReader {
     if (ephemeris) navigation_.ephemerides.add(*ephemeris);
   }
 
-  /// Throws UnexpectedEnd when the file breaks off in a line that continues the message, and not when it does in
-  /// the first line of the next.
+  /// Throws UnexpectedEnd when the file breaks off in a line that continues the message, and not when it does
+  /// in the first line of the next.
   bool next_is_continuation() {
     try {
       if (!in_.next()) return false;

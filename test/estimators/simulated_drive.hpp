@@ -34,7 +34,9 @@ class SimulatedDrive {
   double time = 0.0;
   std::function<Eigen::Vector2d(double)> bias = [](double) { return Eigen::Vector2d(0.0, 0.0); };
   /// What becomes of the odometry on its way.
-  std::function<OdometryIncrement(const OdometryIncrement&)> spoilt = [](const OdometryIncrement& u) { return u; };
+  std::function<OdometryIncrement(const OdometryIncrement&)> spoilt = [](const OdometryIncrement& u) {
+    return u;
+  };
   bool receiving = true;
 
   /// Drives on for `duration`, calling `observe` after each fix has been made (and delivered, if not late).

@@ -7,8 +7,8 @@
 
 namespace multipath_localization {
 
-/// How the errors of a fix behave in one kind of place, for one kind of receiver, and how the robot moves apart
-/// from its odometry.
+/// How the errors of a fix behave in one kind of place, for one kind of receiver, and how the robot moves
+/// apart from its odometry.
 ///
 /// The fix is position + bias + white noise. The bias is a Gauss-Markov process that switches between two
 /// modes: `open` (small, of receiver and atmosphere) and `shadow` (large, of reflected and diffracted
