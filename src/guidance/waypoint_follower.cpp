@@ -64,8 +64,12 @@ double WaypointFollower::progress() const {
   return waypoints_.empty() ? 0.0 : static_cast<double>(passed_) / static_cast<double>(waypoints_.size());
 }
 
-bool WaypointFollower::finished() const {
-  return !parameters_.loop && !waypoints_.empty() && passed_ >= waypoints_.size();
+bool WaypointFollower::finished() const { return !parameters_.loop && passed_ > 0 && target_ == 0; }
+
+void WaypointFollower::skip() {
+  if (waypoints_.empty() || finished()) return;
+  take_next();
+  underway_ = false;
 }
 
 FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state) {
@@ -116,9 +120,13 @@ bool WaypointFollower::set_off(const Eigen::Vector2d& position, Trust state) {
 void WaypointFollower::pass_waypoints(const Eigen::Vector2d& position) {
   for (std::size_t i = 0; i < waypoints_.size() && !finished() && passed_target(position); ++i) {
     segment_start_ = waypoints_[target_];
-    target_ = (target_ + 1) % waypoints_.size();
-    ++passed_;
+    take_next();
   }
+}
+
+void WaypointFollower::take_next() {
+  target_ = (target_ + 1) % waypoints_.size();
+  ++passed_;
 }
 
 bool WaypointFollower::passed_target(const Eigen::Vector2d& position) const {

@@ -3,6 +3,8 @@
 #include <geometry_msgs/Twist.h>
 #include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
@@ -31,6 +33,7 @@ std::string kind(const std::string& status) { return status.substr(0, status.fin
 
 void SteeringNodeParameters::fields(ParameterVisitor& field) {
   follower.fields(field);
+  field("autostart", autostart, "drive as soon as the pose allows it, else wait for the service start");
   field("watchdog_period", watchdog_period, {0.001, 10.0}, "s",
         "between looks whether the pose has become too old");
   field("map_frame", map_frame, {}, "of poses and waypoints");
@@ -50,10 +53,12 @@ SteeringSettings SteeringSettings::from(const YAML::Node& source) {
 
 SteeringNode::SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                            const SteeringSettings& settings)
-    : parameters_(settings.parameters), follower_(settings.parameters.follower, settings.waypoints) {
+    : parameters_(settings.parameters),
+      mission_(settings.parameters.follower, settings.waypoints, settings.parameters.autostart) {
   ros::NodeHandle outer(node);
   ros::NodeHandle own(private_node);
   advertise(outer, own);
+  offer_orders(own);
   watchdog_ = outer.createWallTimer(ros::WallDuration(parameters_.watchdog_period),
                                     [this](const ros::WallTimerEvent&) { watch(); });
 }
@@ -72,6 +77,40 @@ void SteeringNode::advertise(ros::NodeHandle& node, ros::NodeHandle& private_nod
       [this](const LocalizationStateConstPtr& message) { trust_ = to_trust(*message); });
   waypoints_in_ = node.subscribe<geometry_msgs::PoseArray>(
       "waypoints", 1, [this](const geometry_msgs::PoseArrayConstPtr& message) { take_waypoints(*message); });
+}
+
+void SteeringNode::offer_orders(ros::NodeHandle& private_node) {
+  offer(private_node, "start", [this] { return mission_.start(); });
+  offer(private_node, "pause", [this] { return mission_.pause(); });
+  offer(private_node, "resume", [this] { return mission_.resume(); });
+  offer(private_node, "skip", [this] { return mission_.skip(); });
+  offer(private_node, "stop", [this] { return mission_.stop(); });
+  using Loop = std_srvs::SetBool;
+  orders_.push_back(private_node.advertiseService<Loop::Request, Loop::Response>(
+      "loop", [this](Loop::Request& request, Loop::Response& response) {
+        const Answer answer = obey("loop", mission_.set_loop(request.data != 0));
+        response.success = static_cast<unsigned char>(answer.done);
+        response.message = answer.message;
+        return true;
+      }));
+}
+
+void SteeringNode::offer(ros::NodeHandle& private_node, const std::string& order,
+                         const std::function<Answer()>& carry_out) {
+  using Trigger = std_srvs::Trigger;
+  orders_.push_back(private_node.advertiseService<Trigger::Request, Trigger::Response>(
+      order, [this, order, carry_out](Trigger::Request&, Trigger::Response& response) {
+        const Answer answer = obey(order, carry_out());
+        response.success = static_cast<unsigned char>(answer.done);
+        response.message = answer.message;
+        return true;
+      }));
+}
+
+Answer SteeringNode::obey(const std::string& order, const Answer& answer) {
+  ROS_INFO_STREAM(order << (answer.done ? ": " : " refused: ") << answer.message);
+  drive();
+  return answer;
 }
 
 void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
@@ -95,7 +134,7 @@ void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
   for (const geometry_msgs::Pose& pose : message.poses)
     waypoints.emplace_back(pose.position.x, pose.position.y);
   try {
-    follower_ = WaypointFollower(parameters_.follower, waypoints);
+    mission_.set_waypoints(waypoints);
     progress_ = -1.0;
   } catch (const std::invalid_argument& error) {
     ROS_ERROR_STREAM("waypoints are refused: " << error.what());
@@ -113,7 +152,7 @@ void SteeringNode::watch() {
 
 void SteeringNode::drive() {
   const ros::Time now = ros::Time::now();
-  const FollowerOutput output = follower_.command(pose_, pose_age(now), trust_);
+  const FollowerOutput output = mission_.command(pose_, pose_age(now), trust_);
   publish(output.command, now);
   report(output.status);
 }
@@ -138,11 +177,12 @@ void SteeringNode::report(const std::string& status) {
     message.data = status_ = status;
     status_out_.publish(message);
   }
-  if (follower_.progress() != progress_) {
+  const WaypointFollower& follower = mission_.follower();
+  if (follower.progress() != progress_) {
     std_msgs::Float64 message;
-    message.data = progress_ = follower_.progress();
+    message.data = progress_ = follower.progress();
     progress_out_.publish(message);
-    markers_.publish(waypoint_markers(follower_, parameters_.map_frame));
+    markers_.publish(waypoint_markers(follower, parameters_.map_frame));
   }
 }
 

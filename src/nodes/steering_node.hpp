@@ -4,18 +4,20 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "multipath_localization/LocalizationState.h"
-#include "multipath_localization/guidance/waypoint_follower.hpp"
+#include "multipath_localization/guidance/waypoint_mission.hpp"
 
 namespace multipath_localization {
 
 /// Parameters of steering_node: the follower's, and the names of frames.
 struct SteeringNodeParameters {
   WaypointFollowerParameters follower;
+  bool autostart = true;
   double watchdog_period = 0.1;
   std::string map_frame = "map";
   std::string base_link_frame = "base_link";
@@ -33,7 +35,7 @@ struct SteeringSettings {
   static SteeringSettings from(const YAML::Node& source);
 };
 
-/// WaypointFollower on topics: a command leaves with every pose, and a stop when poses cease.
+/// WaypointMission on topics and services: a command leaves with every pose, and a stop when poses cease.
 class SteeringNode {
  public:
   SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
@@ -41,6 +43,10 @@ class SteeringNode {
 
  private:
   void advertise(ros::NodeHandle& node, ros::NodeHandle& private_node);
+  void offer_orders(ros::NodeHandle& private_node);
+  void offer(ros::NodeHandle& private_node, const std::string& order,
+             const std::function<Answer()>& carry_out);
+  Answer obey(const std::string& order, const Answer& answer);
   void take_pose(const nav_msgs::Odometry& message);
   void take_waypoints(const geometry_msgs::PoseArray& message);
   void watch();
@@ -50,7 +56,7 @@ class SteeringNode {
   [[nodiscard]] double pose_age(const ros::Time& now) const;
 
   SteeringNodeParameters parameters_;
-  WaypointFollower follower_;
+  WaypointMission mission_;
   Pose2 pose_;
   ros::Time pose_stamp_;  ///< zero before the first pose
   Trust trust_ = Trust::kNotReady;
@@ -59,6 +65,7 @@ class SteeringNode {
 
   ros::Publisher steering_, cmd_vel_, status_out_, progress_out_, markers_;
   ros::Subscriber pose_in_, state_in_, waypoints_in_;
+  std::vector<ros::ServiceServer> orders_;
   ros::WallTimer watchdog_;
 };
 

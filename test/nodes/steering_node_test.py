@@ -10,6 +10,7 @@ from geometry_msgs.msg import Pose, PoseArray, Twist
 from multipath_localization.msg import LocalizationState, SteeringCommand
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64, String
+from std_srvs.srv import SetBool, Trigger
 from visualization_msgs.msg import MarkerArray
 
 SQUARE = [(10, 0), (10, 10), (0, 10), (0, 0)]
@@ -48,6 +49,13 @@ class SteeringNodeTest(unittest.TestCase):
     def setUp(self):
         self.set_waypoints(SQUARE)
         self.set_state(LocalizationState.GOOD)
+
+    def order(self, name, *data):
+        """Calls a service of the node; whether it was done, and the message."""
+        service = f"steering/{name}"
+        rospy.wait_for_service(service, 10.0)
+        answer = rospy.ServiceProxy(service, SetBool if data else Trigger)(*data)
+        return answer.success, answer.message
 
     def set_state(self, state):
         self.state.publish(LocalizationState(state=state))
@@ -161,6 +169,33 @@ class SteeringNodeTest(unittest.TestCase):
     def test_without_waypoints_stands(self):
         self.set_waypoints([])
         self.assertEqual(self.expect("stopped: no waypoints").speed, 0.0)
+
+    def test_obeys_its_owner(self):
+        self.expect("driving")
+        self.assertEqual(self.order("pause"), (True, "paused"))
+        self.assertEqual(self.expect("paused: waiting for resume").speed, 0.0)
+        self.assertEqual(self.cmd_vel.message.linear.x, 0.0)
+        self.assertFalse(self.order("start")[0])
+        self.assertTrue(self.order("resume")[0])
+        self.assertEqual(self.expect("driving").speed, 1.0)
+        self.assertEqual(self.order("skip"), (True, "next is waypoint 2 of 4"))
+        self.assertTrue(self.order("stop")[0])
+        self.assertEqual(self.expect("stopped: by order").speed, 0.0)
+        self.assertFalse(self.order("resume")[0])
+        self.assertEqual(self.order("start"), (True, "driving from waypoint 1 of 4"))
+        self.assertEqual(self.expect("driving").speed, 1.0)
+
+    def test_drives_no_second_round_without_loop(self):
+        self.assertTrue(self.order("loop", False)[0])
+        try:
+            self.expect("driving", 5.0, 5.0)
+            for _ in SQUARE:
+                self.assertTrue(self.order("skip")[0])
+            self.assertEqual(self.expect("finished", 5.0, 5.0).speed, 0.0)
+        finally:
+            self.order("loop", True)
+            self.order("start")
+        self.assertEqual(self.expect("driving").speed, 1.0)
 
 
 if __name__ == "__main__":
