@@ -15,6 +15,12 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() 
 
 double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
+void require_finite(const std::vector<Eigen::Vector2d>& waypoints) {
+  for (const Eigen::Vector2d& waypoint : waypoints) {
+    if (!waypoint.allFinite()) throw std::invalid_argument("a waypoint is not finite");
+  }
+}
+
 std::string old_pose(double age) {
   if (!std::isfinite(age)) return "no pose yet";
   std::ostringstream text;
@@ -51,9 +57,14 @@ void WaypointFollowerParameters::fields(ParameterVisitor& field) {
 WaypointFollower::WaypointFollower(const WaypointFollowerParameters& parameters,
                                    std::vector<Eigen::Vector2d> waypoints)
     : parameters_(parameters), waypoints_(std::move(waypoints)) {
-  for (const Eigen::Vector2d& waypoint : waypoints_) {
-    if (!waypoint.allFinite()) throw std::invalid_argument("a waypoint is not finite");
-  }
+  require_finite(waypoints_);
+}
+
+void WaypointFollower::move_waypoints(std::vector<Eigen::Vector2d> waypoints) {
+  require_finite(waypoints);
+  if (waypoints.size() != waypoints_.size()) throw std::invalid_argument("not as many waypoints as before");
+  waypoints_ = std::move(waypoints);
+  underway_ = false;
 }
 
 int WaypointFollower::laps() const {

@@ -9,7 +9,7 @@ WaypointMission::WaypointMission(const WaypointFollowerParameters& parameters,
       order_(autostart ? Order::kDrive : Order::kAwaited) {}
 
 Answer WaypointMission::start() {
-  if (follower_.waypoints().empty()) return {false, "no waypoints to drive to"};
+  if (follower_.waypoints().empty()) return no_waypoints();
   if (order_ == Order::kPause) return {false, "paused: resume goes on, stop gives up"};
   if (order_ == Order::kDrive && !follower_.finished()) return {false, "driving already"};
   set_waypoints(follower_.waypoints());
@@ -32,7 +32,7 @@ Answer WaypointMission::resume() {
 }
 
 Answer WaypointMission::skip() {
-  if (follower_.waypoints().empty()) return {false, "no waypoints"};
+  if (follower_.waypoints().empty()) return no_waypoints();
   if (follower_.finished()) return {false, "finished: no waypoint is left"};
   if (order_ != Order::kDrive && order_ != Order::kPause) return {false, reason_to_stand()};
   follower_.skip();
@@ -55,12 +55,23 @@ Answer WaypointMission::set_loop(bool repeat) {
 
 void WaypointMission::set_waypoints(const std::vector<Eigen::Vector2d>& waypoints) {
   follower_ = WaypointFollower(parameters_, waypoints);
+  without_waypoints_.clear();
   if (order_ == Order::kDone) order_ = Order::kDrive;
 }
 
+void WaypointMission::stand_without_waypoints(const std::string& reason) {
+  follower_ = WaypointFollower(parameters_, {});
+  without_waypoints_ = reason;
+}
+
 FollowerOutput WaypointMission::command(const Pose2& pose, double pose_age, Trust state) {
-  if (order_ == Order::kDrive) return follower_.command(pose, pose_age, state);
-  return {{}, reason_to_stand()};
+  if (order_ != Order::kDrive) return {{}, reason_to_stand()};
+  if (!without_waypoints_.empty()) return {{}, "stopped: " + without_waypoints_};
+  return follower_.command(pose, pose_age, state);
+}
+
+Answer WaypointMission::no_waypoints() const {
+  return {false, without_waypoints_.empty() ? "no waypoints" : without_waypoints_};
 }
 
 std::string WaypointMission::reason_to_stand() const {

@@ -3,8 +3,6 @@
 #include <geometry_msgs/Twist.h>
 #include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
-#include <std_srvs/SetBool.h>
-#include <std_srvs/Trigger.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
@@ -34,6 +32,8 @@ std::string kind(const std::string& status) { return status.substr(0, status.fin
 void SteeringNodeParameters::fields(ParameterVisitor& field) {
   follower.fields(field);
   field("autostart", autostart, "drive as soon as the pose allows it, else wait for the service start");
+  field("waypoint_file", waypoint_file, {},
+        "waypoints in map or by latitude and longitude, .csv or .yaml, by its full path; empty: none");
   field("watchdog_period", watchdog_period, {0.001, 10.0}, "s",
         "between looks whether the pose has become too old");
   field("map_frame", map_frame, {}, "of poses and waypoints");
@@ -44,19 +44,27 @@ SteeringSettings SteeringSettings::from(const YAML::Node& source) {
   SteeringSettings settings;
   YAML::Node parameters = source.IsMap() ? YAML::Clone(source) : YAML::Node();
   if (parameters.IsMap() && parameters["waypoints"]) {
-    settings.waypoints = load_points(parameters["waypoints"], "waypoints");
+    settings.waypoints.points = load_points(parameters["waypoints"], "waypoints");
     parameters.remove("waypoints");
   }
   load(parameters, settings.parameters);
+  const std::string& file = settings.parameters.waypoint_file;
+  if (file.empty()) return settings;
+  if (!settings.waypoints.points.empty()) {
+    throw ParameterError("waypoints and waypoint_file: the robot can be driven by one of them only");
+  }
+  settings.waypoints = read_waypoints(file).value_or(WaypointList{});
   return settings;
 }
 
 SteeringNode::SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                            const SteeringSettings& settings)
     : parameters_(settings.parameters),
-      mission_(settings.parameters.follower, settings.waypoints, settings.parameters.autostart) {
+      waypoints_(settings.waypoints),
+      mission_(settings.parameters.follower, {}, settings.parameters.autostart) {
   ros::NodeHandle outer(node);
   ros::NodeHandle own(private_node);
+  place_waypoints();
   advertise(outer, own);
   offer_orders(own);
   watchdog_ = outer.createWallTimer(ros::WallDuration(parameters_.watchdog_period),
@@ -75,42 +83,11 @@ void SteeringNode::advertise(ros::NodeHandle& node, ros::NodeHandle& private_nod
   state_in_ = node.subscribe<LocalizationState>(
       "localization/state", 10,
       [this](const LocalizationStateConstPtr& message) { trust_ = to_trust(*message); });
+  origin_in_ = node.subscribe<geometry_msgs::PoseStamped>(
+      "local_xy_origin", 1,
+      [this](const geometry_msgs::PoseStampedConstPtr& message) { take_origin(*message); });
   waypoints_in_ = node.subscribe<geometry_msgs::PoseArray>(
       "waypoints", 1, [this](const geometry_msgs::PoseArrayConstPtr& message) { take_waypoints(*message); });
-}
-
-void SteeringNode::offer_orders(ros::NodeHandle& private_node) {
-  offer(private_node, "start", [this] { return mission_.start(); });
-  offer(private_node, "pause", [this] { return mission_.pause(); });
-  offer(private_node, "resume", [this] { return mission_.resume(); });
-  offer(private_node, "skip", [this] { return mission_.skip(); });
-  offer(private_node, "stop", [this] { return mission_.stop(); });
-  using Loop = std_srvs::SetBool;
-  orders_.push_back(private_node.advertiseService<Loop::Request, Loop::Response>(
-      "loop", [this](Loop::Request& request, Loop::Response& response) {
-        const Answer answer = obey("loop", mission_.set_loop(request.data != 0));
-        response.success = static_cast<unsigned char>(answer.done);
-        response.message = answer.message;
-        return true;
-      }));
-}
-
-void SteeringNode::offer(ros::NodeHandle& private_node, const std::string& order,
-                         const std::function<Answer()>& carry_out) {
-  using Trigger = std_srvs::Trigger;
-  orders_.push_back(private_node.advertiseService<Trigger::Request, Trigger::Response>(
-      order, [this, order, carry_out](Trigger::Request&, Trigger::Response& response) {
-        const Answer answer = obey(order, carry_out());
-        response.success = static_cast<unsigned char>(answer.done);
-        response.message = answer.message;
-        return true;
-      }));
-}
-
-Answer SteeringNode::obey(const std::string& order, const Answer& answer) {
-  ROS_INFO_STREAM(order << (answer.done ? ": " : " refused: ") << answer.message);
-  drive();
-  return answer;
 }
 
 void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
@@ -124,6 +101,36 @@ void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
   drive();
 }
 
+void SteeringNode::take_origin(const geometry_msgs::PoseStamped& message) {
+  const Geodetic datum{message.pose.position.y, message.pose.position.x, message.pose.position.z};
+  if (without_slash(message.header.frame_id) != parameters_.map_frame || !valid(datum)) {
+    ROS_ERROR_STREAM("an origin that is no place on the Earth, or not that of '" << parameters_.map_frame
+                                                                                 << "', is refused");
+    return;
+  }
+  origin_.emplace(datum);
+  if (waypoints_.on_earth) place_waypoints();
+}
+
+void SteeringNode::place_waypoints() {
+  const std::string& file = parameters_.waypoint_file;
+  progress_ = -1.0;
+  if (waypoints_.points.empty()) {
+    mission_.stand_without_waypoints(file.empty() ? "no waypoints" : "no waypoints in " + file);
+    return;
+  }
+  try {
+    const std::vector<Eigen::Vector2d> points = to_map(waypoints_, origin_);
+    if (points.size() == mission_.follower().waypoints().size()) {
+      mission_.move_waypoints(points);
+    } else {
+      mission_.set_waypoints(points);
+    }
+  } catch (const std::invalid_argument& reason) {
+    mission_.stand_without_waypoints(reason.what());
+  }
+}
+
 void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
   if (without_slash(message.header.frame_id) != parameters_.map_frame) {
     ROS_ERROR_STREAM("waypoints in frame '" << message.header.frame_id << "' instead of '"
@@ -135,6 +142,7 @@ void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
     waypoints.emplace_back(pose.position.x, pose.position.y);
   try {
     mission_.set_waypoints(waypoints);
+    waypoints_ = {false, waypoints};
     progress_ = -1.0;
   } catch (const std::invalid_argument& error) {
     ROS_ERROR_STREAM("waypoints are refused: " << error.what());

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <geometry_msgs/PoseArray.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "multipath_localization/LocalizationState.h"
+#include "multipath_localization/guidance/waypoint_file.hpp"
 #include "multipath_localization/guidance/waypoint_mission.hpp"
 
 namespace multipath_localization {
@@ -18,6 +21,7 @@ namespace multipath_localization {
 struct SteeringNodeParameters {
   WaypointFollowerParameters follower;
   bool autostart = true;
+  std::string waypoint_file;
   double watchdog_period = 0.1;
   std::string map_frame = "map";
   std::string base_link_frame = "base_link";
@@ -28,10 +32,10 @@ struct SteeringNodeParameters {
 /// What a node was started with.
 struct SteeringSettings {
   SteeringNodeParameters parameters;
-  std::vector<Eigen::Vector2d> waypoints;  ///< in map [m]
+  WaypointList waypoints;
 
-  /// `source` holds SteeringNodeParameters and `waypoints: [[x, y], ...]`. Throws ParameterError on anything
-  /// unknown or unusable.
+  /// `source` holds SteeringNodeParameters and `waypoints: [[x, y], ...]`, in map [m], or a `waypoint_file`.
+  /// Throws ParameterError on anything unknown or unusable.
   static SteeringSettings from(const YAML::Node& source);
 };
 
@@ -48,7 +52,9 @@ class SteeringNode {
              const std::function<Answer()>& carry_out);
   Answer obey(const std::string& order, const Answer& answer);
   void take_pose(const nav_msgs::Odometry& message);
+  void take_origin(const geometry_msgs::PoseStamped& message);
   void take_waypoints(const geometry_msgs::PoseArray& message);
+  void place_waypoints();
   void watch();
   void drive();
   void publish(const MotionCommand& command, const ros::Time& now);
@@ -56,6 +62,8 @@ class SteeringNode {
   [[nodiscard]] double pose_age(const ros::Time& now) const;
 
   SteeringNodeParameters parameters_;
+  WaypointList waypoints_;            ///< as they were written down
+  std::optional<LocalFrame> origin_;  ///< of map, when known
   WaypointMission mission_;
   Pose2 pose_;
   ros::Time pose_stamp_;  ///< zero before the first pose
@@ -64,7 +72,7 @@ class SteeringNode {
   double progress_ = -1.0;
 
   ros::Publisher steering_, cmd_vel_, status_out_, progress_out_, markers_;
-  ros::Subscriber pose_in_, state_in_, waypoints_in_;
+  ros::Subscriber pose_in_, state_in_, origin_in_, waypoints_in_;
   std::vector<ros::ServiceServer> orders_;
   ros::WallTimer watchdog_;
 };

@@ -122,8 +122,28 @@ TEST(WaypointMission, NewWaypointsAreDrivenWhenFinished) {
 
 TEST(WaypointMission, RefusesToStartWithoutWaypoints) {
   WaypointMission robot({}, {}, false);
-  EXPECT_EQ(robot.start().message, "no waypoints to drive to");
+  EXPECT_EQ(robot.start().message, "no waypoints");
   EXPECT_FALSE(robot.skip().done);
+}
+
+TEST(WaypointMission, SaysWhyThereAreNoWaypointsUntilThereAre) {
+  WaypointMission robot = mission();
+  robot.stand_without_waypoints("waiting for map");
+  expect_standing(robot, "stopped: waiting for map");
+  EXPECT_EQ(robot.skip().message, "waiting for map");
+  robot.set_waypoints(kLine);
+  EXPECT_GT(at(robot, 0.0).command.speed, 0.0);
+}
+
+TEST(WaypointMission, KeepsTheWaypointSteeredForWhenMapMoves) {
+  WaypointMission robot = mission();
+  at(robot, 0.0);
+  at(robot, 10.0);
+  robot.move_waypoints({{10.0, 5.0}, {20.0, 5.0}, {30.0, 5.0}});
+  EXPECT_EQ(robot.follower().target(), 1U);
+  robot.command({10.0, 5.0, 0.0}, 0.0, Trust::kGood);
+  EXPECT_EQ(robot.follower().target(), 1U);
+  EXPECT_THROW(robot.move_waypoints({{10.0, 5.0}}), std::invalid_argument);
 }
 
 TEST(WaypointMission, KeepsItsWaypointsWhenNewOnesAreNotFinite) {

@@ -56,6 +56,10 @@ class WaypointFollower {
   /// robot is. Nothing where there is none.
   void skip();
 
+  /// Takes other coordinates [m] for the same waypoints, map having moved. Throws std::invalid_argument when
+  /// they are not as many or one is not finite.
+  void move_waypoints(std::vector<Eigen::Vector2d> waypoints);
+
   /// Whether to go on to the first waypoint after the last. Taken away, the round under way is the last.
   void set_loop(bool loop) { parameters_.loop = loop; }
 

@@ -34,6 +34,12 @@ class WaypointMission {
   /// std::invalid_argument, and keeps the old ones, when one is not finite.
   void set_waypoints(const std::vector<Eigen::Vector2d>& waypoints);
 
+  /// WaypointFollower::move_waypoints: the robot goes on to the waypoint it was steered for.
+  void move_waypoints(const std::vector<Eigen::Vector2d>& waypoints) { follower_.move_waypoints(waypoints); }
+
+  /// No waypoints until set_waypoints, for a reason to be told.
+  void stand_without_waypoints(const std::string& reason);
+
   /// As WaypointFollower::command; zero, and why, where the owner's orders are to stand.
   FollowerOutput command(const Pose2& pose, double pose_age, Trust state);
 
@@ -42,11 +48,13 @@ class WaypointMission {
  private:
   enum class Order { kAwaited, kDrive, kPause, kStop, kDone };
 
+  [[nodiscard]] Answer no_waypoints() const;
   [[nodiscard]] std::string reason_to_stand() const;  ///< empty under kDrive
 
   WaypointFollowerParameters parameters_;
   WaypointFollower follower_;
   Order order_;
+  std::string without_waypoints_;  ///< why there are none, where that is known
 };
 
 }  // namespace multipath_localization
