@@ -11,18 +11,20 @@ namespace multipath_localization {
 
 namespace {
 
-std::system_error failure(const std::string& what) { return {errno, std::generic_category(), what}; }
+std::system_error failure(int reason, const std::string& file) {
+  return {reason, std::generic_category(), file};
+}
 
 /// Writes a file and waits until it is on the disk.
 void write_through(const std::string& file, const std::string& content) {
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) throw failure(file);
+  if (descriptor < 0) throw failure(errno, file);
   const bool written =
       write(descriptor, content.data(), content.size()) == static_cast<ssize_t>(content.size()) &&
       fsync(descriptor) == 0;
-  const std::system_error error = failure(file);
+  const int reason = errno;
   close(descriptor);
-  if (!written) throw error;
+  if (!written) throw failure(reason, file);
 }
 
 }  // namespace

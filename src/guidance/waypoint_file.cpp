@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kMostBytes = 100 * kMostWaypoints;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some spreadsheets begin a file by it
 
+constexpr const char* kNoOrigin = "waiting for map's origin, to place waypoints by latitude and longitude";
+
 enum class Format { kCsv, kYaml };
 
 Format format_of(const std::string& file) {
@@ -146,8 +148,7 @@ std::string fault_of(const Eigen::Vector2d& point, bool on_earth) {
 
 std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::optional<LocalFrame>& map) {
   if (!waypoints.on_earth) return waypoints.points;
-  if (!map)
-    throw std::invalid_argument("waiting for map's origin, to place waypoints by latitude and longitude");
+  if (!map) throw std::invalid_argument(kNoOrigin);
   std::vector<Eigen::Vector2d> points;
   for (const Eigen::Vector2d& point : waypoints.points) {
     points.push_back(map->to_map({point.x(), point.y(), map->datum().altitude}));
@@ -157,6 +158,20 @@ std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::op
     }
   }
   return points;
+}
+
+void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::optional<LocalFrame>& map) {
+  const std::string fault = fault_of(in_map, false);
+  if (!fault.empty()) throw std::invalid_argument(fault);
+  if (waypoints.points.size() >= kMostWaypoints) throw std::invalid_argument("there are too many waypoints");
+  if (waypoints.points.empty()) waypoints.on_earth = map.has_value();
+  if (!waypoints.on_earth) {
+    waypoints.points.push_back(in_map);
+    return;
+  }
+  if (!map) throw std::invalid_argument(kNoOrigin);
+  const Geodetic place = map->to_geodetic(in_map);
+  waypoints.points.emplace_back(place.latitude_deg, place.longitude_deg);
 }
 
 std::optional<WaypointList> read_waypoints(const std::string& file) {

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "multipath_localization/SteeringCommand.h"
-#include "multipath_localization/evaluation/scenario.hpp"
 #include "nodes/conversions.hpp"
 #include "nodes/waypoint_markers.hpp"
 
@@ -28,34 +27,6 @@ Trust to_trust(const LocalizationState& message) {
 std::string kind(const std::string& status) { return status.substr(0, status.find_first_of("0123456789")); }
 
 }  // namespace
-
-void SteeringNodeParameters::fields(ParameterVisitor& field) {
-  follower.fields(field);
-  field("autostart", autostart, "drive as soon as the pose allows it, else wait for the service start");
-  field("waypoint_file", waypoint_file, {},
-        "waypoints in map or by latitude and longitude, .csv or .yaml, by its full path; empty: none");
-  field("watchdog_period", watchdog_period, {0.001, 10.0}, "s",
-        "between looks whether the pose has become too old");
-  field("map_frame", map_frame, {}, "of poses and waypoints");
-  field("base_link_frame", base_link_frame, {}, "of the robot");
-}
-
-SteeringSettings SteeringSettings::from(const YAML::Node& source) {
-  SteeringSettings settings;
-  YAML::Node parameters = source.IsMap() ? YAML::Clone(source) : YAML::Node();
-  if (parameters.IsMap() && parameters["waypoints"]) {
-    settings.waypoints.points = load_points(parameters["waypoints"], "waypoints");
-    parameters.remove("waypoints");
-  }
-  load(parameters, settings.parameters);
-  const std::string& file = settings.parameters.waypoint_file;
-  if (file.empty()) return settings;
-  if (!settings.waypoints.points.empty()) {
-    throw ParameterError("waypoints and waypoint_file: the robot can be driven by one of them only");
-  }
-  settings.waypoints = read_waypoints(file).value_or(WaypointList{});
-  return settings;
-}
 
 SteeringNode::SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                            const SteeringSettings& settings)
@@ -88,6 +59,10 @@ void SteeringNode::advertise(ros::NodeHandle& node, ros::NodeHandle& private_nod
       [this](const geometry_msgs::PoseStampedConstPtr& message) { take_origin(*message); });
   waypoints_in_ = node.subscribe<geometry_msgs::PoseArray>(
       "waypoints", 1, [this](const geometry_msgs::PoseArrayConstPtr& message) { take_waypoints(*message); });
+  if (!parameters_.take_clicked_points) return;
+  clicked_point_in_ = node.subscribe<geometry_msgs::PointStamped>(
+      "clicked_point", 10,
+      [this](const geometry_msgs::PointStampedConstPtr& message) { take_clicked_point(*message); });
 }
 
 void SteeringNode::take_pose(const nav_msgs::Odometry& message) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
@@ -14,30 +15,9 @@
 #include "multipath_localization/LocalizationState.h"
 #include "multipath_localization/guidance/waypoint_file.hpp"
 #include "multipath_localization/guidance/waypoint_mission.hpp"
+#include "nodes/steering_settings.hpp"
 
 namespace multipath_localization {
-
-/// Parameters of steering_node: the follower's, and the names of frames.
-struct SteeringNodeParameters {
-  WaypointFollowerParameters follower;
-  bool autostart = true;
-  std::string waypoint_file;
-  double watchdog_period = 0.1;
-  std::string map_frame = "map";
-  std::string base_link_frame = "base_link";
-
-  void fields(ParameterVisitor& field);
-};
-
-/// What a node was started with.
-struct SteeringSettings {
-  SteeringNodeParameters parameters;
-  WaypointList waypoints;
-
-  /// `source` holds SteeringNodeParameters and `waypoints: [[x, y], ...]`, in map [m], or a `waypoint_file`.
-  /// Throws ParameterError on anything unknown or unusable.
-  static SteeringSettings from(const YAML::Node& source);
-};
 
 /// WaypointMission on topics and services: a command leaves with every pose, and a stop when poses cease.
 class SteeringNode {
@@ -55,6 +35,10 @@ class SteeringNode {
   void take_origin(const geometry_msgs::PoseStamped& message);
   void take_waypoints(const geometry_msgs::PoseArray& message);
   void place_waypoints();
+  void take_clicked_point(const geometry_msgs::PointStamped& message);
+  Answer record_pose();
+  Answer record(const Eigen::Vector2d& in_map);
+  Answer save();
   void watch();
   void drive();
   void publish(const MotionCommand& command, const ros::Time& now);
@@ -62,8 +46,9 @@ class SteeringNode {
   [[nodiscard]] double pose_age(const ros::Time& now) const;
 
   SteeringNodeParameters parameters_;
-  WaypointList waypoints_;            ///< as they were written down
-  std::optional<LocalFrame> origin_;  ///< of map, when known
+  WaypointList waypoints_;                 ///< as they were written down
+  std::optional<WaypointList> recording_;  ///< these and more, until they are saved
+  std::optional<LocalFrame> origin_;       ///< of map, when known
   WaypointMission mission_;
   Pose2 pose_;
   ros::Time pose_stamp_;  ///< zero before the first pose
@@ -72,7 +57,7 @@ class SteeringNode {
   double progress_ = -1.0;
 
   ros::Publisher steering_, cmd_vel_, status_out_, progress_out_, markers_;
-  ros::Subscriber pose_in_, state_in_, origin_in_, waypoints_in_;
+  ros::Subscriber pose_in_, state_in_, origin_in_, waypoints_in_, clicked_point_in_;
   std::vector<ros::ServiceServer> orders_;
   ros::WallTimer watchdog_;
 };

@@ -140,6 +140,35 @@ TEST(WaypointList, LiesInMapByTheDatum) {
   EXPECT_THROW(to_map({true, {{35.0, 139.0}}}, std::nullopt), std::invalid_argument);
 }
 
+TEST(WaypointList, TakesPointsOfMapByLatitudeAndLongitudeWhereItCan) {
+  const std::optional<LocalFrame> map(Geodetic{35.0, 139.0, 40.0});
+  WaypointList list;
+  append(list, {30.0, -20.0}, map);
+  append(list, {-7.0, 4.0}, map);
+  EXPECT_TRUE(list.on_earth);
+  const Points points = to_map(list, map);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_LT((points[0] - Eigen::Vector2d(30.0, -20.0)).norm(), 1e-3);
+  EXPECT_LT((points[1] - Eigen::Vector2d(-7.0, 4.0)).norm(), 1e-3);
+  EXPECT_THROW(append(list, {1.0, 2.0}, std::nullopt), std::invalid_argument);
+}
+
+TEST(WaypointList, StaysInMapWhereItBeganThere) {
+  WaypointList list;
+  append(list, {1.0, 2.0}, std::nullopt);
+  append(list, {3.0, 4.0}, LocalFrame(Geodetic{35.0, 139.0, 40.0}));
+  EXPECT_FALSE(list.on_earth);
+  EXPECT_EQ(list.points, (Points{{1.0, 2.0}, {3.0, 4.0}}));
+}
+
+TEST(WaypointList, TakesNoPointThatCannotBeDrivenTo) {
+  WaypointList list;
+  EXPECT_THROW(append(list, {1e9, 0.0}, std::nullopt), std::invalid_argument);
+  EXPECT_TRUE(list.points.empty());
+  list.points.resize(kMostWaypoints, Eigen::Vector2d::Zero());
+  EXPECT_THROW(append(list, {1.0, 2.0}, std::nullopt), std::invalid_argument);
+}
+
 TEST(WaypointList, RefusesAPlaceThatMapCannotHold) {
   const LocalFrame map(Geodetic{35.0, 139.0, 0.0});
   EXPECT_THROW(to_map({true, {{35.0, 139.0}, {35.0, 141.0}}}, map), std::invalid_argument);

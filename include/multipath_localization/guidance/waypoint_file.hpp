@@ -27,6 +27,12 @@ std::string fault_of(const Eigen::Vector2d& point, bool on_earth);
 /// not there, and where one lies beyond kFarthestWaypoint, naming the first.
 std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::optional<LocalFrame>& map);
 
+/// Appends a point of map [m], by latitude and longitude where the others are or where it is the first and
+/// `map` is known: such a list holds on another day, whatever map's origin then is. Throws
+/// std::invalid_argument on one that cannot be driven to, above kMostWaypoints, and where `map` is needed and
+/// not there.
+void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::optional<LocalFrame>& map);
+
 /// Waypoints of a file, in the order of driving; all of one kind. By its ending:
 ///   .csv         the columns `x,y` or `latitude,longitude`, named in the first line; `#` begins a comment
 ///   .yaml, .yml  `waypoints:`, a list of `[x, y]`, `{x: , y: }` or `{latitude: , longitude: }`
