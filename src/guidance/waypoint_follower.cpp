@@ -15,6 +15,12 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() 
 
 double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
+void require_finite(const std::vector<Eigen::Vector2d>& waypoints) {
+  for (const Eigen::Vector2d& waypoint : waypoints) {
+    if (!waypoint.allFinite()) throw std::invalid_argument("a waypoint is not finite");
+  }
+}
+
 std::string old_pose(double age) {
   if (!std::isfinite(age)) return "no pose yet";
   std::ostringstream text;
@@ -51,9 +57,14 @@ void WaypointFollowerParameters::fields(ParameterVisitor& field) {
 WaypointFollower::WaypointFollower(const WaypointFollowerParameters& parameters,
                                    std::vector<Eigen::Vector2d> waypoints)
     : parameters_(parameters), waypoints_(std::move(waypoints)) {
-  for (const Eigen::Vector2d& waypoint : waypoints_) {
-    if (!waypoint.allFinite()) throw std::invalid_argument("a waypoint is not finite");
-  }
+  require_finite(waypoints_);
+}
+
+void WaypointFollower::move_waypoints(std::vector<Eigen::Vector2d> waypoints) {
+  require_finite(waypoints);
+  if (waypoints.size() != waypoints_.size()) throw std::invalid_argument("not as many waypoints as before");
+  waypoints_ = std::move(waypoints);
+  underway_ = false;
 }
 
 int WaypointFollower::laps() const {
@@ -64,8 +75,12 @@ double WaypointFollower::progress() const {
   return waypoints_.empty() ? 0.0 : static_cast<double>(passed_) / static_cast<double>(waypoints_.size());
 }
 
-bool WaypointFollower::finished() const {
-  return !parameters_.loop && !waypoints_.empty() && passed_ >= waypoints_.size();
+bool WaypointFollower::finished() const { return !parameters_.loop && passed_ > 0 && target_ == 0; }
+
+void WaypointFollower::skip() {
+  if (waypoints_.empty() || finished()) return;
+  take_next();
+  underway_ = false;
 }
 
 FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state) {
@@ -116,9 +131,13 @@ bool WaypointFollower::set_off(const Eigen::Vector2d& position, Trust state) {
 void WaypointFollower::pass_waypoints(const Eigen::Vector2d& position) {
   for (std::size_t i = 0; i < waypoints_.size() && !finished() && passed_target(position); ++i) {
     segment_start_ = waypoints_[target_];
-    target_ = (target_ + 1) % waypoints_.size();
-    ++passed_;
+    take_next();
   }
+}
+
+void WaypointFollower::take_next() {
+  target_ = (target_ + 1) % waypoints_.size();
+  ++passed_;
 }
 
 bool WaypointFollower::passed_target(const Eigen::Vector2d& position) const {

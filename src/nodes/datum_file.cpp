@@ -1,16 +1,14 @@
 #include "nodes/datum_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
 #include <yaml-cpp/yaml.h>
 
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <vector>
 
+#include "multipath_localization/core/atomic_file.hpp"
 #include "multipath_localization/core/parameters.hpp"
 
 namespace multipath_localization {
@@ -26,20 +24,6 @@ std::string text_of(const Geodetic& datum) {
                 "# Origin of map: latitude, longitude [deg], altitude [m]\ndatum: [%.9f, %.9f, %.4f]\n",
                 datum.latitude_deg, datum.longitude_deg, datum.altitude);
   return text;
-}
-
-std::system_error failure(const std::string& what) { return {errno, std::generic_category(), what}; }
-
-/// Writes a file and waits until it is on the disk.
-void write_through(const std::string& file, const std::string& content) {
-  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) throw failure(file);
-  const bool written =
-      write(descriptor, content.data(), content.size()) == static_cast<ssize_t>(content.size()) &&
-      fsync(descriptor) == 0;
-  const std::system_error error = failure(file);
-  close(descriptor);
-  if (!written) throw error;
 }
 
 }  // namespace
@@ -61,12 +45,6 @@ std::optional<Geodetic> read_datum(const std::string& file) {
   throw ParameterError(file + " is damaged: it does not hold datum: [latitude, longitude, altitude]");
 }
 
-void write_datum(const std::string& file, const Geodetic& datum) {
-  const fs::path folder = fs::path(file).parent_path();
-  if (!folder.empty()) fs::create_directories(folder);
-  const std::string fresh = file + ".new";
-  write_through(fresh, text_of(datum));
-  fs::rename(fresh, file);
-}
+void write_datum(const std::string& file, const Geodetic& datum) { replace_file(file, text_of(datum)); }
 
 }  // namespace multipath_localization

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "multipath_localization/SteeringCommand.h"
-#include "multipath_localization/evaluation/scenario.hpp"
 #include "nodes/conversions.hpp"
 #include "nodes/waypoint_markers.hpp"
 
@@ -29,31 +28,16 @@ std::string kind(const std::string& status) { return status.substr(0, status.fin
 
 }  // namespace
 
-void SteeringNodeParameters::fields(ParameterVisitor& field) {
-  follower.fields(field);
-  field("watchdog_period", watchdog_period, {0.001, 10.0}, "s",
-        "between looks whether the pose has become too old");
-  field("map_frame", map_frame, {}, "of poses and waypoints");
-  field("base_link_frame", base_link_frame, {}, "of the robot");
-}
-
-SteeringSettings SteeringSettings::from(const YAML::Node& source) {
-  SteeringSettings settings;
-  YAML::Node parameters = source.IsMap() ? YAML::Clone(source) : YAML::Node();
-  if (parameters.IsMap() && parameters["waypoints"]) {
-    settings.waypoints = load_points(parameters["waypoints"], "waypoints");
-    parameters.remove("waypoints");
-  }
-  load(parameters, settings.parameters);
-  return settings;
-}
-
 SteeringNode::SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                            const SteeringSettings& settings)
-    : parameters_(settings.parameters), follower_(settings.parameters.follower, settings.waypoints) {
+    : parameters_(settings.parameters),
+      waypoints_(settings.waypoints),
+      mission_(settings.parameters.follower, {}, settings.parameters.autostart) {
   ros::NodeHandle outer(node);
   ros::NodeHandle own(private_node);
+  place_waypoints();
   advertise(outer, own);
+  offer_orders(own);
   watchdog_ = outer.createWallTimer(ros::WallDuration(parameters_.watchdog_period),
                                     [this](const ros::WallTimerEvent&) { watch(); });
 }
@@ -70,8 +54,15 @@ void SteeringNode::advertise(ros::NodeHandle& node, ros::NodeHandle& private_nod
   state_in_ = node.subscribe<LocalizationState>(
       "localization/state", 10,
       [this](const LocalizationStateConstPtr& message) { trust_ = to_trust(*message); });
+  origin_in_ = node.subscribe<geometry_msgs::PoseStamped>(
+      "local_xy_origin", 1,
+      [this](const geometry_msgs::PoseStampedConstPtr& message) { take_origin(*message); });
   waypoints_in_ = node.subscribe<geometry_msgs::PoseArray>(
       "waypoints", 1, [this](const geometry_msgs::PoseArrayConstPtr& message) { take_waypoints(*message); });
+  if (!parameters_.take_clicked_points) return;
+  clicked_point_in_ = node.subscribe<geometry_msgs::PointStamped>(
+      "clicked_point", 10,
+      [this](const geometry_msgs::PointStampedConstPtr& message) { take_clicked_point(*message); });
 }
 
 void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
@@ -85,6 +76,36 @@ void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
   drive();
 }
 
+void SteeringNode::take_origin(const geometry_msgs::PoseStamped& message) {
+  const Geodetic datum{message.pose.position.y, message.pose.position.x, message.pose.position.z};
+  if (without_slash(message.header.frame_id) != parameters_.map_frame || !valid(datum)) {
+    ROS_ERROR_STREAM("an origin that is no place on the Earth, or not that of '" << parameters_.map_frame
+                                                                                 << "', is refused");
+    return;
+  }
+  origin_.emplace(datum);
+  if (waypoints_.on_earth) place_waypoints();
+}
+
+void SteeringNode::place_waypoints() {
+  const std::string& file = parameters_.waypoint_file;
+  progress_ = -1.0;
+  if (waypoints_.points.empty()) {
+    mission_.stand_without_waypoints(file.empty() ? "no waypoints" : "no waypoints in " + file);
+    return;
+  }
+  try {
+    const std::vector<Eigen::Vector2d> points = to_map(waypoints_, origin_);
+    if (points.size() == mission_.follower().waypoints().size()) {
+      mission_.move_waypoints(points);
+    } else {
+      mission_.set_waypoints(points);
+    }
+  } catch (const std::invalid_argument& reason) {
+    mission_.stand_without_waypoints(reason.what());
+  }
+}
+
 void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
   if (without_slash(message.header.frame_id) != parameters_.map_frame) {
     ROS_ERROR_STREAM("waypoints in frame '" << message.header.frame_id << "' instead of '"
@@ -95,7 +116,8 @@ void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
   for (const geometry_msgs::Pose& pose : message.poses)
     waypoints.emplace_back(pose.position.x, pose.position.y);
   try {
-    follower_ = WaypointFollower(parameters_.follower, waypoints);
+    mission_.set_waypoints(waypoints);
+    waypoints_ = {false, waypoints};
     progress_ = -1.0;
   } catch (const std::invalid_argument& error) {
     ROS_ERROR_STREAM("waypoints are refused: " << error.what());
@@ -113,7 +135,7 @@ void SteeringNode::watch() {
 
 void SteeringNode::drive() {
   const ros::Time now = ros::Time::now();
-  const FollowerOutput output = follower_.command(pose_, pose_age(now), trust_);
+  const FollowerOutput output = mission_.command(pose_, pose_age(now), trust_);
   publish(output.command, now);
   report(output.status);
 }
@@ -138,11 +160,12 @@ void SteeringNode::report(const std::string& status) {
     message.data = status_ = status;
     status_out_.publish(message);
   }
-  if (follower_.progress() != progress_) {
+  const WaypointFollower& follower = mission_.follower();
+  if (follower.progress() != progress_) {
     std_msgs::Float64 message;
-    message.data = progress_ = follower_.progress();
+    message.data = progress_ = follower.progress();
     progress_out_.publish(message);
-    markers_.publish(waypoint_markers(follower_, parameters_.map_frame));
+    markers_.publish(waypoint_markers(follower, parameters_.map_frame));
   }
 }
 

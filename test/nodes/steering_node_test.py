@@ -2,55 +2,29 @@
 """steering_node alone, on poses made up here: drives, slows, stops, says why, and resumes."""
 import math
 import time
-import unittest
 
 import rospy
 import rostest
-from geometry_msgs.msg import Pose, PoseArray, Twist
-from multipath_localization.msg import LocalizationState, SteeringCommand
-from nav_msgs.msg import Odometry
-from std_msgs.msg import Float64, String
+from geometry_msgs.msg import Pose, PoseArray
+from multipath_localization.msg import LocalizationState
 from visualization_msgs.msg import MarkerArray
+
+from steering_case import Last, SteeringCase, wait_for_subscribers
 
 SQUARE = [(10, 0), (10, 10), (0, 10), (0, 0)]
 
 
-class Last:
-    """The last message of a topic."""
-
-    def __init__(self, topic, kind):
-        self.message = None
-        self.count = 0
-        self.subscriber = rospy.Subscriber(topic, kind, self.take, queue_size=100)
-
-    def take(self, message):
-        self.message = message
-        self.count += 1
-
-
-class SteeringNodeTest(unittest.TestCase):
+class SteeringNodeTest(SteeringCase):
     @classmethod
     def setUpClass(cls):
-        rospy.init_node("steering_node_test")
-        cls.pose = rospy.Publisher("odometry/filtered_map", Odometry, queue_size=10)
-        cls.state = rospy.Publisher("localization/state", LocalizationState, queue_size=1, latch=True)
+        super().setUpClass()
         cls.waypoints = rospy.Publisher("waypoints", PoseArray, queue_size=10)
-        cls.steering = Last("steering", SteeringCommand)
-        cls.cmd_vel = Last("cmd_vel", Twist)
-        cls.status = Last("steering/status", String)
-        cls.progress = Last("steering/progress", Float64)
         cls.markers = Last("steering/markers", MarkerArray)
-        end = time.time() + 10.0
-        while time.time() < end and 0 in (cls.pose.get_num_connections(), cls.state.get_num_connections(),
-                                          cls.waypoints.get_num_connections()):
-            time.sleep(0.05)
+        wait_for_subscribers(cls.waypoints)
 
     def setUp(self):
         self.set_waypoints(SQUARE)
         self.set_state(LocalizationState.GOOD)
-
-    def set_state(self, state):
-        self.state.publish(LocalizationState(state=state))
 
     def set_waypoints(self, points, frame="map"):
         message = PoseArray()
@@ -60,39 +34,6 @@ class SteeringNodeTest(unittest.TestCase):
             pose.position.x, pose.position.y, pose.orientation.w = x, y, 1.0
             message.poses.append(pose)
         self.waypoints.publish(message)
-
-    def send_pose(self, x, y, yaw, age=0.0, frame="map"):
-        message = Odometry()
-        message.header.stamp = rospy.Time.now() - rospy.Duration(age)
-        message.header.frame_id = frame
-        message.pose.pose.position.x = x
-        message.pose.pose.position.y = y
-        message.pose.pose.orientation.z = math.sin(0.5 * yaw)
-        message.pose.pose.orientation.w = math.cos(0.5 * yaw)
-        self.pose.publish(message)
-
-    def expect(self, status, x=0.0, y=0.0, yaw=0.0, **how):
-        """Sends a pose at 20 Hz until the status is as expected; the command then."""
-        end = time.time() + 8.0
-        while time.time() < end:
-            self.send_pose(x, y, yaw, **how)
-            time.sleep(0.05)
-            if self.status.message and self.status.message.data.startswith(status):
-                for _ in range(4):
-                    self.send_pose(x, y, yaw, **how)
-                    time.sleep(0.05)
-                return self.steering.message
-        self.fail(f"status is {self.status.message}, not {status}")
-
-    def expect_silent(self, status):
-        """Waits without sending poses until the status is as expected; the command then."""
-        end = time.time() + 8.0
-        while time.time() < end:
-            if self.status.message and self.status.message.data.startswith(status):
-                time.sleep(0.3)
-                return self.steering.message
-            time.sleep(0.05)
-        self.fail(f"status is {self.status.message}, not {status}")
 
     def test_drives_towards_the_waypoint(self):
         command = self.expect("driving", 0.0, -1.0, 0.0)
@@ -161,6 +102,33 @@ class SteeringNodeTest(unittest.TestCase):
     def test_without_waypoints_stands(self):
         self.set_waypoints([])
         self.assertEqual(self.expect("stopped: no waypoints").speed, 0.0)
+
+    def test_obeys_its_owner(self):
+        self.expect("driving")
+        self.assertEqual(self.order("pause"), (True, "paused"))
+        self.assertEqual(self.expect("paused: waiting for resume").speed, 0.0)
+        self.assertEqual(self.cmd_vel.message.linear.x, 0.0)
+        self.assertFalse(self.order("start")[0])
+        self.assertTrue(self.order("resume")[0])
+        self.assertEqual(self.expect("driving").speed, 1.0)
+        self.assertEqual(self.order("skip"), (True, "next is waypoint 2 of 4"))
+        self.assertTrue(self.order("stop")[0])
+        self.assertEqual(self.expect("stopped: by order").speed, 0.0)
+        self.assertFalse(self.order("resume")[0])
+        self.assertEqual(self.order("start"), (True, "driving from waypoint 1 of 4"))
+        self.assertEqual(self.expect("driving").speed, 1.0)
+
+    def test_drives_no_second_round_without_loop(self):
+        self.assertTrue(self.order("loop", False)[0])
+        try:
+            self.expect("driving", 5.0, 5.0)
+            for _ in SQUARE:
+                self.assertTrue(self.order("skip")[0])
+            self.assertEqual(self.expect("finished", 5.0, 5.0).speed, 0.0)
+        finally:
+            self.order("loop", True)
+            self.order("start")
+        self.assertEqual(self.expect("driving").speed, 1.0)
 
 
 if __name__ == "__main__":

@@ -52,9 +52,20 @@ class WaypointFollower {
   /// The command for a base in map at `pose`, `pose_age` seconds old.
   FollowerOutput command(const Pose2& pose, double pose_age, Trust state);
 
+  /// Gives the waypoint steered for up, as if it were passed; the next is gone to straight from where the
+  /// robot is. Nothing where there is none.
+  void skip();
+
+  /// Takes other coordinates [m] for the same waypoints, map having moved. Throws std::invalid_argument when
+  /// they are not as many or one is not finite.
+  void move_waypoints(std::vector<Eigen::Vector2d> waypoints);
+
+  /// Whether to go on to the first waypoint after the last. Taken away, the round under way is the last.
+  void set_loop(bool loop) { parameters_.loop = loop; }
+
   [[nodiscard]] std::size_t target() const { return target_; }  ///< index of the waypoint steered for
   [[nodiscard]] int laps() const;                               ///< rounds completed
-  [[nodiscard]] double progress() const;  ///< waypoints passed over waypoints in a round
+  [[nodiscard]] double progress() const;  ///< waypoints passed or skipped, over those of a round
   [[nodiscard]] bool finished() const;    ///< never, when looping
   [[nodiscard]] const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
 
@@ -70,6 +81,7 @@ class WaypointFollower {
   [[nodiscard]] std::string reason_to_stop(const Pose2& pose, double pose_age, Trust state) const;
   bool set_off(const Eigen::Vector2d& position, Trust state);
   void pass_waypoints(const Eigen::Vector2d& position);
+  void take_next();
   [[nodiscard]] bool passed_target(const Eigen::Vector2d& position) const;
   /// Eqs. (36) and (38) of [NIS]. Departs: the error is of the heading, where Eq. (36) prints the steering
   /// angle.

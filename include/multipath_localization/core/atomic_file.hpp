@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace multipath_localization {
+
+/// Writes a file as a whole, by way of `file`.new: it is on the disk afterwards, and no moment leaves half of
+/// it behind. Missing folders are made. Throws std::system_error and leaves the old file where it cannot.
+void replace_file(const std::string& file, const std::string& content);
+
+}  // namespace multipath_localization

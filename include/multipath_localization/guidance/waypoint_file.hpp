@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/core/geodesy.hpp"
+
+namespace multipath_localization {
+
+constexpr std::size_t kMostWaypoints = 10000;
+constexpr double kFarthestWaypoint =
+    100e3;  ///< of map's origin, east or north [m]: there the Earth is curved
+
+/// Places to drive to, as their owner wrote them down.
+struct WaypointList {
+  bool on_earth = false;  ///< the points are latitude and longitude [deg], else x and y in map [m]
+  std::vector<Eigen::Vector2d> points;  ///< kMostWaypoints at most
+};
+
+/// Why `point` cannot be driven to; empty when it can.
+std::string fault_of(const Eigen::Vector2d& point, bool on_earth);
+
+/// The points in map [m]. Throws std::invalid_argument where these are not known yet, `map` being needed and
+/// not there, and where one lies beyond kFarthestWaypoint, naming the first.
+std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::optional<LocalFrame>& map);
+
+/// Appends a point of map [m], by latitude and longitude where the others are or where it is the first and
+/// `map` is known: such a list holds on another day, whatever map's origin then is. Throws
+/// std::invalid_argument on one that cannot be driven to, above kMostWaypoints, and where `map` is needed and
+/// not there.
+void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::optional<LocalFrame>& map);
+
+/// Waypoints of a file, in the order of driving; all of one kind. By its ending:
+///   .csv         the columns `x,y` or `latitude,longitude`, named in the first line; `#` begins a comment
+///   .yaml, .yml  `waypoints:`, a list of `[x, y]`, `{x: , y: }` or `{latitude: , longitude: }`
+/// Nothing where there is no such file. Throws ParameterError, `FILE:LINE: reason`, on the first line that is
+/// anything else.
+std::optional<WaypointList> read_waypoints(const std::string& file);
+
+/// Writes such a file, to 0.1 mm; it is replaced as a whole. Throws ParameterError on another ending and
+/// std::system_error where it cannot write.
+void write_waypoints(const std::string& file, const WaypointList& waypoints);
+
+}  // namespace multipath_localization

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "multipath_localization/guidance/waypoint_follower.hpp"
+
+namespace multipath_localization {
+
+/// What became of an order to the robot, in words for who gave it.
+struct Answer {
+  bool done;
+  std::string message;
+};
+
+/// A WaypointFollower at the orders of the robot's owner. The robot drives after `start` or `resume` alone,
+/// or from the beginning with `autostart`; no order but these two sets it in motion. An order that makes no
+/// sense where things stand changes nothing and says why.
+class WaypointMission {
+ public:
+  /// Waypoints in map [m]. Throws std::invalid_argument when one is not finite.
+  WaypointMission(const WaypointFollowerParameters& parameters, const std::vector<Eigen::Vector2d>& waypoints,
+                  bool autostart);
+
+  Answer start();                ///< from the first waypoint on, unless driving or paused
+  Answer pause();                ///< stand, and keep the waypoint steered for
+  Answer resume();               ///< from a pause
+  Answer skip();                 ///< on to the next waypoint, driving or paused
+  Answer stop();                 ///< stand until `start`; always done
+  Answer set_loop(bool repeat);  ///< go on to the first waypoint after the last, or stop there
+
+  /// Waypoints in map [m], to be driven from the first on: at once when driving or finished. Throws
+  /// std::invalid_argument, and keeps the old ones, when one is not finite.
+  void set_waypoints(const std::vector<Eigen::Vector2d>& waypoints);
+
+  /// WaypointFollower::move_waypoints: the robot goes on to the waypoint it was steered for.
+  void move_waypoints(const std::vector<Eigen::Vector2d>& waypoints) { follower_.move_waypoints(waypoints); }
+
+  /// No waypoints until set_waypoints, for a reason to be told.
+  void stand_without_waypoints(const std::string& reason);
+
+  /// As WaypointFollower::command; zero, and why, where the owner's orders are to stand.
+  FollowerOutput command(const Pose2& pose, double pose_age, Trust state);
+
+  [[nodiscard]] const WaypointFollower& follower() const { return follower_; }
+
+ private:
+  enum class Order { kAwaited, kDrive, kPause, kStop, kDone };
+
+  [[nodiscard]] Answer no_waypoints() const;
+  [[nodiscard]] std::string reason_to_stand() const;  ///< empty under kDrive
+
+  WaypointFollowerParameters parameters_;
+  WaypointFollower follower_;
+  Order order_;
+  std::string without_waypoints_;  ///< why there are none, where that is known
+};
+
+}  // namespace multipath_localization

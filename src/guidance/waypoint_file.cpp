@@ -1,0 +1,207 @@
+#include "multipath_localization/guidance/waypoint_file.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+#include "multipath_localization/core/atomic_file.hpp"
+#include "multipath_localization/core/parameters.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostBytes = 100 * kMostWaypoints;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some spreadsheets begin a file by it
+
+constexpr const char* kNoOrigin = "waiting for map's origin, to place waypoints by latitude and longitude";
+
+enum class Format { kCsv, kYaml };
+
+Format format_of(const std::string& file) {
+  const std::string ending = fs::path(file).extension().string();
+  if (ending == ".csv") return Format::kCsv;
+  if (ending == ".yaml" || ending == ".yml") return Format::kYaml;
+  throw ParameterError(file + ": a file of waypoints ends in .csv, .yaml or .yml");
+}
+
+/// The line being read, for what is to be said of it.
+struct Place {
+  const std::string& file;
+  int line;
+
+  [[nodiscard]] ParameterError error(const std::string& reason) const {
+    ParameterError located(file + ":" + std::to_string(line) + ": " + reason);
+    return located;
+  }
+};
+
+void append(WaypointList& list, const Eigen::Vector2d& point, const Place& place) {
+  if (list.points.size() == kMostWaypoints) {
+    throw place.error("more than " + std::to_string(kMostWaypoints) + " waypoints");
+  }
+  const std::string fault = fault_of(point, list.on_earth);
+  if (!fault.empty()) throw place.error(fault);
+  list.points.push_back(point);
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream rest(line + ',');
+  for (std::string cell; std::getline(rest, cell, ',');) cells.push_back(trimmed(cell));
+  return cells;
+}
+
+double number(const std::string& cell, const Place& place) {
+  char* end = nullptr;
+  const double value = std::strtod(cell.c_str(), &end);
+  if (cell.empty() || *end != '\0') throw place.error("'" + cell + "' is not a number");
+  return value;
+}
+
+bool named_on_earth(const std::vector<std::string>& names, const Place& place) {
+  if (names == std::vector<std::string>{"x", "y"}) return false;
+  if (names == std::vector<std::string>{"latitude", "longitude"}) return true;
+  throw place.error("the first line names the columns: x,y or latitude,longitude");
+}
+
+WaypointList read_csv(const std::string& file, std::istream& text) {
+  WaypointList list;
+  bool named = false;
+  Place place{file, 0};
+  for (std::string line; std::getline(text, line);) {
+    if (++place.line == 1 && line.rfind(kByteOrderMark, 0) == 0) line.erase(0, kByteOrderMark.size());
+    line = trimmed(line.substr(0, line.find('#')));
+    if (line.empty()) continue;
+    const std::vector<std::string> cells = cells_of(line);
+    if (!named) {
+      list.on_earth = named_on_earth(cells, place);
+      named = true;
+      continue;
+    }
+    if (cells.size() != 2) throw place.error(std::to_string(cells.size()) + " cells instead of 2");
+    append(list, {number(cells[0], place), number(cells[1], place)}, place);
+  }
+  return list;
+}
+
+/// The names a point's coordinates have in a YAML file; none in the short form.
+std::array<std::string, 2> names_in(const YAML::Node& item, const Place& place) {
+  if (item.size() == 2) {
+    if (item.IsSequence()) return {};
+    if (item.IsMap() && item["x"] && item["y"]) return {"x", "y"};
+    if (item.IsMap() && item["latitude"] && item["longitude"]) return {"latitude", "longitude"};
+  }
+  throw place.error("a waypoint is [x, y], {x: , y: } or {latitude: , longitude: }");
+}
+
+void append(WaypointList& list, const YAML::Node& item, const Place& place) {
+  const auto names = names_in(item, place);
+  const bool on_earth = names[0] == "latitude";
+  if (list.points.empty()) list.on_earth = on_earth;
+  if (list.on_earth != on_earth) throw place.error("a point of map among such on Earth, or the reverse");
+  const YAML::Node first = names[0].empty() ? item[0] : item[names[0]];
+  const YAML::Node second = names[1].empty() ? item[1] : item[names[1]];
+  append(list, {first.as<double>(), second.as<double>()}, place);
+}
+
+WaypointList read_yaml(const std::string& file, std::istream& text) {
+  WaypointList list;
+  try {
+    const YAML::Node content = YAML::Load(text);
+    const bool known = content.IsMap() && content.size() == 1 && content["waypoints"];
+    if (!known || !content["waypoints"].IsSequence()) {
+      throw Place{file, 1}.error("the file holds a list named waypoints and nothing else");
+    }
+    for (const YAML::Node& item : content["waypoints"]) append(list, item, {file, item.Mark().line + 1});
+  } catch (const YAML::Exception& error) {
+    throw Place{file, error.mark.line + 1}.error(error.msg);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string fault_of(const Eigen::Vector2d& point, bool on_earth) {
+  if (!point.allFinite()) return "a waypoint is not finite";
+  if (on_earth) return valid(Geodetic{point.x(), point.y()}) ? "" : "there is no such place on the Earth";
+  if (point.lpNorm<Eigen::Infinity>() <= kFarthestWaypoint) return "";
+  return "farther than " + std::to_string(std::lround(kFarthestWaypoint / 1e3)) + " km from map's origin";
+}
+
+std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::optional<LocalFrame>& map) {
+  if (!waypoints.on_earth) return waypoints.points;
+  if (!map) throw std::invalid_argument(kNoOrigin);
+  std::vector<Eigen::Vector2d> points;
+  for (const Eigen::Vector2d& point : waypoints.points) {
+    points.push_back(map->to_map({point.x(), point.y(), map->datum().altitude}));
+    const std::string fault = fault_of(points.back(), false);
+    if (!fault.empty()) {
+      throw std::invalid_argument("waypoint " + std::to_string(points.size()) + " is " + fault);
+    }
+  }
+  return points;
+}
+
+void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::optional<LocalFrame>& map) {
+  const std::string fault = fault_of(in_map, false);
+  if (!fault.empty()) throw std::invalid_argument(fault);
+  if (waypoints.points.size() >= kMostWaypoints) throw std::invalid_argument("there are too many waypoints");
+  if (waypoints.points.empty()) waypoints.on_earth = map.has_value();
+  if (!waypoints.on_earth) {
+    waypoints.points.push_back(in_map);
+    return;
+  }
+  if (!map) throw std::invalid_argument(kNoOrigin);
+  const Geodetic place = map->to_geodetic(in_map);
+  waypoints.points.emplace_back(place.latitude_deg, place.longitude_deg);
+}
+
+std::optional<WaypointList> read_waypoints(const std::string& file) {
+  const Format format = format_of(file);
+  std::error_code unreadable;
+  if (!fs::exists(file, unreadable) && !unreadable) return std::nullopt;
+  const std::uintmax_t size = fs::file_size(file, unreadable);
+  if (unreadable) throw ParameterError(file + ": " + unreadable.message());
+  if (size > kMostBytes)
+    throw ParameterError(file + ": larger than " + std::to_string(kMostBytes) + " bytes");
+  std::ifstream text(file);
+  if (!text) throw ParameterError(file + ": cannot be read");
+  return format == Format::kCsv ? read_csv(file, text) : read_yaml(file, text);
+}
+
+void write_waypoints(const std::string& file, const WaypointList& waypoints) {
+  const bool csv = format_of(file) == Format::kCsv;
+  const std::string first = waypoints.on_earth ? "latitude" : "x";
+  const std::string second = waypoints.on_earth ? "longitude" : "y";
+  std::ostringstream content;
+  content << std::fixed << std::setprecision(waypoints.on_earth ? 9 : 4);
+  content << (csv ? first + "," + second : "waypoints:") << "\n";
+  for (const Eigen::Vector2d& point : waypoints.points) {
+    if (csv) {
+      content << point.x() << "," << point.y() << "\n";
+    } else {
+      content << "  - {" << first << ": " << point.x() << ", " << second << ": " << point.y() << "}\n";
+    }
+  }
+  replace_file(file, content.str());
+}
+
+}  // namespace multipath_localization

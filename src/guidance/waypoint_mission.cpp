@@ -1,0 +1,87 @@
+#include "multipath_localization/guidance/waypoint_mission.hpp"
+
+namespace multipath_localization {
+
+WaypointMission::WaypointMission(const WaypointFollowerParameters& parameters,
+                                 const std::vector<Eigen::Vector2d>& waypoints, bool autostart)
+    : parameters_(parameters),
+      follower_(parameters, waypoints),
+      order_(autostart ? Order::kDrive : Order::kAwaited) {}
+
+Answer WaypointMission::start() {
+  if (follower_.waypoints().empty()) return no_waypoints();
+  if (order_ == Order::kPause) return {false, "paused: resume goes on, stop gives up"};
+  if (order_ == Order::kDrive && !follower_.finished()) return {false, "driving already"};
+  set_waypoints(follower_.waypoints());
+  order_ = Order::kDrive;
+  return {true, "driving from waypoint 1 of " + std::to_string(follower_.waypoints().size())};
+}
+
+Answer WaypointMission::pause() {
+  if (order_ != Order::kDrive) return {false, "not driving: " + reason_to_stand()};
+  if (follower_.finished()) return {false, "not driving: finished"};
+  order_ = Order::kPause;
+  return {true, "paused"};
+}
+
+Answer WaypointMission::resume() {
+  if (order_ == Order::kDrive) return {false, "not paused"};
+  if (order_ != Order::kPause) return {false, "not paused but " + reason_to_stand()};
+  order_ = Order::kDrive;
+  return {true, "driving on"};
+}
+
+Answer WaypointMission::skip() {
+  if (follower_.waypoints().empty()) return no_waypoints();
+  if (follower_.finished()) return {false, "finished: no waypoint is left"};
+  if (order_ != Order::kDrive && order_ != Order::kPause) return {false, reason_to_stand()};
+  follower_.skip();
+  if (follower_.finished()) return {true, "the last waypoint is skipped: finished"};
+  return {true, "next is waypoint " + std::to_string(follower_.target() + 1) + " of " +
+                    std::to_string(follower_.waypoints().size())};
+}
+
+Answer WaypointMission::stop() {
+  order_ = Order::kStop;
+  return {true, "stopped; start begins at the first waypoint"};
+}
+
+Answer WaypointMission::set_loop(bool repeat) {
+  if (order_ == Order::kDrive && follower_.finished()) order_ = Order::kDone;
+  parameters_.loop = repeat;
+  follower_.set_loop(repeat);
+  return {true, repeat ? "goes on to the first waypoint after the last" : "stops at the last waypoint"};
+}
+
+void WaypointMission::set_waypoints(const std::vector<Eigen::Vector2d>& waypoints) {
+  follower_ = WaypointFollower(parameters_, waypoints);
+  without_waypoints_.clear();
+  if (order_ == Order::kDone) order_ = Order::kDrive;
+}
+
+void WaypointMission::stand_without_waypoints(const std::string& reason) {
+  follower_ = WaypointFollower(parameters_, {});
+  without_waypoints_ = reason;
+}
+
+FollowerOutput WaypointMission::command(const Pose2& pose, double pose_age, Trust state) {
+  if (order_ != Order::kDrive) return {{}, reason_to_stand()};
+  if (!without_waypoints_.empty()) return {{}, "stopped: " + without_waypoints_};
+  return follower_.command(pose, pose_age, state);
+}
+
+Answer WaypointMission::no_waypoints() const {
+  return {false, without_waypoints_.empty() ? "no waypoints" : without_waypoints_};
+}
+
+std::string WaypointMission::reason_to_stand() const {
+  switch (order_) {
+    case Order::kAwaited: return "stopped: waiting for start";
+    case Order::kPause: return "paused: waiting for resume";
+    case Order::kStop: return "stopped: by order, waiting for start";
+    case Order::kDone: return "finished";
+    default: return "";
+  }
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,178 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/guidance/waypoint_file.hpp"
+
+namespace multipath_localization {
+namespace {
+
+namespace fs = std::filesystem;
+using Points = std::vector<Eigen::Vector2d>;
+
+class WaypointFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string holding(const std::string& name, const std::string& content) const {
+    const fs::path file = folder_ / name;
+    std::ofstream(file, std::ios::binary) << content;
+    return file;
+  }
+
+  /// What a file is refused for, after its name; empty when it is not refused.
+  std::string refusal(const std::string& name, const std::string& content) const {
+    const std::string file = holding(name, content);
+    try {
+      read_waypoints(file);
+    } catch (const ParameterError& error) {
+      const std::string text = error.what();
+      EXPECT_EQ(text.rfind(file, 0), 0U) << text;
+      return text.substr(file.size());
+    }
+    return "";
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / "waypoint_file_test";
+};
+
+TEST_F(WaypointFile, ReadsMapPointsOfCsv) {
+  const WaypointList list =
+      read_waypoints(holding("a.csv", "# field\nx,y\n1,2\n\n-3.5 , 4e1 # gate\n")).value();
+  EXPECT_FALSE(list.on_earth);
+  EXPECT_EQ(list.points, (Points{{1.0, 2.0}, {-3.5, 40.0}}));
+}
+
+TEST_F(WaypointFile, ReadsPlacesOfACsvFromASpreadsheet) {
+  const WaypointList list =
+      read_waypoints(holding("a.csv", "\xEF\xBB\xBFlatitude,longitude\r\n35.5,139.25\r\n")).value();
+  EXPECT_TRUE(list.on_earth);
+  EXPECT_EQ(list.points, (Points{{35.5, 139.25}}));
+}
+
+TEST_F(WaypointFile, ReadsTheFormsOfYaml) {
+  const WaypointList map =
+      read_waypoints(holding("a.yaml", "waypoints:\n  - [1, 2]\n  - {x: 3, y: 4}\n")).value();
+  EXPECT_FALSE(map.on_earth);
+  EXPECT_EQ(map.points, (Points{{1.0, 2.0}, {3.0, 4.0}}));
+  const WaypointList earth =
+      read_waypoints(holding("a.yml", "waypoints:\n  - {longitude: 139.25, latitude: 35.5}\n")).value();
+  EXPECT_TRUE(earth.on_earth);
+  EXPECT_EQ(earth.points, (Points{{35.5, 139.25}}));
+}
+
+TEST_F(WaypointFile, RefusesABadLineOfCsvByItsNumber) {
+  EXPECT_EQ(refusal("a.csv", "x,y\n1,2\n3\n"), ":3: 1 cells instead of 2");
+  EXPECT_EQ(refusal("a.csv", "x,y\n1,2,3\n"), ":2: 3 cells instead of 2");
+  EXPECT_EQ(refusal("a.csv", "x,y\n1,two\n"), ":2: 'two' is not a number");
+  EXPECT_EQ(refusal("a.csv", "x,y\n1,\n"), ":2: '' is not a number");
+  EXPECT_EQ(refusal("a.csv", "x,y\nnan,1\n"), ":2: a waypoint is not finite");
+  EXPECT_EQ(refusal("a.csv", "x,y\n1,1e9\n"), ":2: farther than 100 km from map's origin");
+  EXPECT_EQ(refusal("a.csv", "latitude,longitude\n35,139\n139,35\n"),
+            ":3: there is no such place on the Earth");
+  EXPECT_EQ(refusal("a.csv", "1,2\n3,4\n"),
+            ":1: the first line names the columns: x,y or latitude,longitude");
+}
+
+TEST_F(WaypointFile, RefusesABadLineOfYamlByItsNumber) {
+  const std::string forms = ": a waypoint is [x, y], {x: , y: } or {latitude: , longitude: }";
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, 2]\n  - [1, 2, 3]\n"), ":3" + forms);
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - {x: 1, latitude: 3}\n"), ":2" + forms);
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - 7\n"), ":2" + forms);
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, .nan]\n"), ":2: a waypoint is not finite");
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, 2]\n  - {latitude: 1, longitude: 2}\n"),
+            ":3: a point of map among such on Earth, or the reverse");
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, two]\n").rfind(":2: ", 0), 0U);
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, 2\n").rfind(":3: ", 0), 0U);
+  for (const char* other : {"", "[[1, 2]]", "waypoints: 3", "waypoints: [[1, 2]]\nloop: true"}) {
+    EXPECT_EQ(refusal("a.yaml", other), ":1: the file holds a list named waypoints and nothing else");
+  }
+}
+
+TEST_F(WaypointFile, RefusesMoreThanItsBounds) {
+  std::string many = "x,y\n";
+  for (std::size_t i = 0; i < kMostWaypoints; ++i) many += "1,2\n";
+  EXPECT_EQ(refusal("a.csv", many), "");
+  EXPECT_EQ(refusal("a.csv", many + "1,2\n"), ":10002: more than 10000 waypoints");
+  EXPECT_EQ(refusal("a.csv", std::string(1000001, '#')), ": larger than 1000000 bytes");
+}
+
+TEST_F(WaypointFile, RefusesWhatIsNoFileOfWaypoints) {
+  EXPECT_FALSE(read_waypoints(folder_ / "missing.csv").has_value());
+  EXPECT_THROW(read_waypoints(folder_ / "missing.txt"), ParameterError);
+  EXPECT_EQ(refusal("a.txt", "x,y\n"), ": a file of waypoints ends in .csv, .yaml or .yml");
+  fs::create_directories(folder_ / "folder.csv");
+  EXPECT_THROW(read_waypoints(folder_ / "folder.csv"), ParameterError);
+}
+
+TEST_F(WaypointFile, WritesWhatItReads) {
+  for (const char* name : {"a.csv", "a.yaml"}) {
+    for (const bool on_earth : {false, true}) {
+      const WaypointList list{on_earth, {{35.123456789, -139.5}, {-0.25, 7.0}}};
+      write_waypoints(folder_ / name, list);
+      const WaypointList read = read_waypoints(folder_ / name).value();
+      EXPECT_EQ(read.on_earth, on_earth);
+      ASSERT_EQ(read.points.size(), 2U);
+      EXPECT_LT((read.points[0] - list.points[0]).norm(), on_earth ? 1e-9 : 1e-4);
+      EXPECT_EQ(read.points[1], list.points[1]);
+    }
+  }
+}
+
+TEST_F(WaypointFile, RefusesToWriteAnotherEnding) {
+  EXPECT_THROW(write_waypoints(folder_ / "a.txt", {}), ParameterError);
+}
+
+TEST(WaypointList, LiesInMapByTheDatum) {
+  const LocalFrame map(Geodetic{35.0, 139.0, 40.0});
+  const Geodetic place = map.to_geodetic({30.0, -20.0});
+  const Points points = to_map({true, {{place.latitude_deg, place.longitude_deg}}}, map);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_LT((points[0] - Eigen::Vector2d(30.0, -20.0)).norm(), 1e-3);
+  EXPECT_EQ(to_map({false, {{1.0, 2.0}}}, std::nullopt), (Points{{1.0, 2.0}}));
+  EXPECT_THROW(to_map({true, {{35.0, 139.0}}}, std::nullopt), std::invalid_argument);
+}
+
+TEST(WaypointList, TakesPointsOfMapByLatitudeAndLongitudeWhereItCan) {
+  const std::optional<LocalFrame> map(Geodetic{35.0, 139.0, 40.0});
+  WaypointList list;
+  append(list, {30.0, -20.0}, map);
+  append(list, {-7.0, 4.0}, map);
+  EXPECT_TRUE(list.on_earth);
+  const Points points = to_map(list, map);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_LT((points[0] - Eigen::Vector2d(30.0, -20.0)).norm(), 1e-3);
+  EXPECT_LT((points[1] - Eigen::Vector2d(-7.0, 4.0)).norm(), 1e-3);
+  EXPECT_THROW(append(list, {1.0, 2.0}, std::nullopt), std::invalid_argument);
+}
+
+TEST(WaypointList, StaysInMapWhereItBeganThere) {
+  WaypointList list;
+  append(list, {1.0, 2.0}, std::nullopt);
+  append(list, {3.0, 4.0}, LocalFrame(Geodetic{35.0, 139.0, 40.0}));
+  EXPECT_FALSE(list.on_earth);
+  EXPECT_EQ(list.points, (Points{{1.0, 2.0}, {3.0, 4.0}}));
+}
+
+TEST(WaypointList, TakesNoPointThatCannotBeDrivenTo) {
+  WaypointList list;
+  EXPECT_THROW(append(list, {1e9, 0.0}, std::nullopt), std::invalid_argument);
+  EXPECT_TRUE(list.points.empty());
+  list.points.resize(kMostWaypoints, Eigen::Vector2d::Zero());
+  EXPECT_THROW(append(list, {1.0, 2.0}, std::nullopt), std::invalid_argument);
+}
+
+TEST(WaypointList, RefusesAPlaceThatMapCannotHold) {
+  const LocalFrame map(Geodetic{35.0, 139.0, 0.0});
+  EXPECT_THROW(to_map({true, {{35.0, 139.0}, {35.0, 141.0}}}, map), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace multipath_localization

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "multipath_localization/guidance/waypoint_mission.hpp"
+
+namespace multipath_localization {
+namespace {
+
+const std::vector<Eigen::Vector2d> kLine = {{10.0, 0.0}, {20.0, 0.0}, {30.0, 0.0}};
+
+WaypointMission mission(bool loop = true, bool autostart = true) {
+  WaypointFollowerParameters parameters;
+  parameters.loop = loop;
+  return {parameters, kLine, autostart};
+}
+
+/// What is commanded at x = `x` on the way along the line.
+FollowerOutput at(WaypointMission& mission, double x) {
+  return mission.command({x, 0.0, 0.0}, 0.0, Trust::kGood);
+}
+
+void expect_standing(WaypointMission& mission, const std::string& status) {
+  const FollowerOutput output = at(mission, 0.0);
+  EXPECT_EQ(output.command.speed, 0.0);
+  EXPECT_EQ(output.command.steering_angle, 0.0);
+  EXPECT_EQ(output.status, status);
+}
+
+void drive_to_the_end(WaypointMission& mission) {
+  for (const double x : {0.0, 10.0, 20.0, 30.0}) at(mission, x);
+}
+
+TEST(WaypointMission, DrivesAtOnceUnlessToldToWaitForStart) {
+  WaypointMission at_once = mission();
+  EXPECT_GT(at(at_once, 0.0).command.speed, 0.0);
+  WaypointMission waits = mission(true, false);
+  expect_standing(waits, "stopped: waiting for start");
+  EXPECT_FALSE(waits.resume().done);
+  EXPECT_TRUE(waits.start().done);
+  EXPECT_GT(at(waits, 0.0).command.speed, 0.0);
+}
+
+TEST(WaypointMission, PauseKeepsTheWaypointAndStopForgetsIt) {
+  WaypointMission robot = mission();
+  at(robot, 0.0);
+  at(robot, 10.0);
+  ASSERT_EQ(robot.follower().target(), 1U);
+  EXPECT_TRUE(robot.pause().done);
+  expect_standing(robot, "paused: waiting for resume");
+  EXPECT_FALSE(robot.pause().done);
+  EXPECT_FALSE(robot.start().done);
+  EXPECT_TRUE(robot.resume().done);
+  EXPECT_GT(at(robot, 10.0).command.speed, 0.0);
+  EXPECT_EQ(robot.follower().target(), 1U);
+  EXPECT_TRUE(robot.stop().done);
+  expect_standing(robot, "stopped: by order, waiting for start");
+  EXPECT_FALSE(robot.resume().done);
+  EXPECT_FALSE(robot.skip().done);
+  EXPECT_TRUE(robot.start().done);
+  EXPECT_EQ(robot.follower().target(), 0U);
+}
+
+TEST(WaypointMission, SkipsWhileDrivingAndWhilePaused) {
+  WaypointMission robot = mission(false);
+  at(robot, 0.0);
+  EXPECT_EQ(robot.skip().message, "next is waypoint 2 of 3");
+  robot.pause();
+  EXPECT_EQ(robot.skip().message, "next is waypoint 3 of 3");
+  expect_standing(robot, "paused: waiting for resume");
+  EXPECT_EQ(robot.skip().message, "the last waypoint is skipped: finished");
+  EXPECT_FALSE(robot.skip().done);
+}
+
+TEST(WaypointMission, GoesStraightToTheNextAfterASkip) {
+  WaypointFollowerParameters parameters;
+  WaypointMission robot(parameters, {{10.0, 0.0}, {10.0, 10.0}}, true);
+  robot.command({0.0, 0.0, 0.25 * kPi}, 0.0, Trust::kGood);
+  robot.skip();
+  const FollowerOutput output = robot.command({0.0, 0.0, 0.25 * kPi}, 0.0, Trust::kGood);
+  EXPECT_NEAR(output.command.steering_angle, 0.0, 1e-9);
+}
+
+TEST(WaypointMission, EndsTheRoundUnderWayWhenLoopIsTakenAway) {
+  WaypointMission robot = mission();
+  drive_to_the_end(robot);
+  at(robot, 10.0);
+  ASSERT_EQ(robot.follower().target(), 1U);
+  EXPECT_TRUE(robot.set_loop(false).done);
+  EXPECT_GT(at(robot, 11.0).command.speed, 0.0);
+  at(robot, 20.0);
+  EXPECT_EQ(at(robot, 30.0).status, "finished");
+}
+
+TEST(WaypointMission, LoopDoesNotSetAFinishedRobotInMotion) {
+  WaypointMission robot = mission(false);
+  drive_to_the_end(robot);
+  EXPECT_FALSE(robot.pause().done);
+  robot.set_loop(true);
+  expect_standing(robot, "finished");
+  EXPECT_TRUE(robot.start().done);
+  EXPECT_GT(at(robot, 0.0).command.speed, 0.0);
+}
+
+TEST(WaypointMission, NewWaypointsDoNotUndoAPauseOrAStop) {
+  WaypointMission robot = mission();
+  robot.pause();
+  robot.set_waypoints(kLine);
+  expect_standing(robot, "paused: waiting for resume");
+  robot.stop();
+  robot.set_waypoints(kLine);
+  expect_standing(robot, "stopped: by order, waiting for start");
+}
+
+TEST(WaypointMission, NewWaypointsAreDrivenWhenFinished) {
+  WaypointMission robot = mission(false);
+  drive_to_the_end(robot);
+  robot.set_waypoints(kLine);
+  EXPECT_GT(at(robot, 0.0).command.speed, 0.0);
+}
+
+TEST(WaypointMission, RefusesToStartWithoutWaypoints) {
+  WaypointMission robot({}, {}, false);
+  EXPECT_EQ(robot.start().message, "no waypoints");
+  EXPECT_FALSE(robot.skip().done);
+}
+
+TEST(WaypointMission, SaysWhyThereAreNoWaypointsUntilThereAre) {
+  WaypointMission robot = mission();
+  robot.stand_without_waypoints("waiting for map");
+  expect_standing(robot, "stopped: waiting for map");
+  EXPECT_EQ(robot.skip().message, "waiting for map");
+  robot.set_waypoints(kLine);
+  EXPECT_GT(at(robot, 0.0).command.speed, 0.0);
+}
+
+TEST(WaypointMission, KeepsTheWaypointSteeredForWhenMapMoves) {
+  WaypointMission robot = mission();
+  at(robot, 0.0);
+  at(robot, 10.0);
+  robot.move_waypoints({{10.0, 5.0}, {20.0, 5.0}, {30.0, 5.0}});
+  EXPECT_EQ(robot.follower().target(), 1U);
+  robot.command({10.0, 5.0, 0.0}, 0.0, Trust::kGood);
+  EXPECT_EQ(robot.follower().target(), 1U);
+  EXPECT_THROW(robot.move_waypoints({{10.0, 5.0}}), std::invalid_argument);
+}
+
+TEST(WaypointMission, KeepsItsWaypointsWhenNewOnesAreNotFinite) {
+  WaypointMission robot = mission();
+  EXPECT_THROW(robot.set_waypoints({{std::numeric_limits<double>::quiet_NaN(), 0.0}}), std::invalid_argument);
+  EXPECT_EQ(robot.follower().waypoints().size(), kLine.size());
+}
+
+}  // namespace
+}  // namespace multipath_localization

@@ -1,0 +1,86 @@
+"""What tests of steering_node share: poses and states made up here, and what the node makes of them."""
+import math
+import time
+import unittest
+
+import rospy
+from geometry_msgs.msg import Twist
+from multipath_localization.msg import LocalizationState, SteeringCommand
+from nav_msgs.msg import Odometry
+from std_msgs.msg import Float64, String
+from std_srvs.srv import SetBool, Trigger
+
+
+class Last:
+    """The last message of a topic."""
+
+    def __init__(self, topic, kind):
+        self.message = None
+        self.count = 0
+        self.subscriber = rospy.Subscriber(topic, kind, self.take, queue_size=100)
+
+    def take(self, message):
+        self.message = message
+        self.count += 1
+
+
+def wait_for_subscribers(*publishers):
+    end = time.time() + 10.0
+    while time.time() < end and 0 in [publisher.get_num_connections() for publisher in publishers]:
+        time.sleep(0.05)
+
+
+class SteeringCase(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("steering_test")
+        cls.pose = rospy.Publisher("odometry/filtered_map", Odometry, queue_size=10)
+        cls.state = rospy.Publisher("localization/state", LocalizationState, queue_size=1, latch=True)
+        cls.steering = Last("steering", SteeringCommand)
+        cls.cmd_vel = Last("cmd_vel", Twist)
+        cls.status = Last("steering/status", String)
+        cls.progress = Last("steering/progress", Float64)
+        wait_for_subscribers(cls.pose, cls.state)
+
+    def order(self, name, *data):
+        """Calls a service of the node; whether it was done, and the message."""
+        service = f"steering/{name}"
+        rospy.wait_for_service(service, 10.0)
+        answer = rospy.ServiceProxy(service, SetBool if data else Trigger)(*data)
+        return answer.success, answer.message
+
+    def set_state(self, state):
+        self.state.publish(LocalizationState(state=state))
+
+    def send_pose(self, x, y, yaw, age=0.0, frame="map"):
+        message = Odometry()
+        message.header.stamp = rospy.Time.now() - rospy.Duration(age)
+        message.header.frame_id = frame
+        message.pose.pose.position.x = x
+        message.pose.pose.position.y = y
+        message.pose.pose.orientation.z = math.sin(0.5 * yaw)
+        message.pose.pose.orientation.w = math.cos(0.5 * yaw)
+        self.pose.publish(message)
+
+    def expect(self, status, x=0.0, y=0.0, yaw=0.0, **how):
+        """Sends a pose at 20 Hz until the status is as expected; the command then."""
+        end = time.time() + 8.0
+        while time.time() < end:
+            self.send_pose(x, y, yaw, **how)
+            time.sleep(0.05)
+            if self.status.message and self.status.message.data.startswith(status):
+                for _ in range(4):
+                    self.send_pose(x, y, yaw, **how)
+                    time.sleep(0.05)
+                return self.steering.message
+        self.fail(f"status is {self.status.message}, not {status}")
+
+    def expect_silent(self, status):
+        """Waits without sending poses until the status is as expected; the command then."""
+        end = time.time() + 8.0
+        while time.time() < end:
+            if self.status.message and self.status.message.data.startswith(status):
+                time.sleep(0.3)
+                return self.steering.message
+            time.sleep(0.05)
+        self.fail(f"status is {self.status.message}, not {status}")
