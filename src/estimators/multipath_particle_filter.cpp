@@ -11,10 +11,10 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kMaxFlush = 1.2;             ///< odometry is linearised over at most this long [s]
-constexpr double kMovedSinceFix = 0.02;       ///< less is a standing robot [m]
-constexpr double kSettledProbability = 0.95;  ///< of the canyon, and of one cluster in it
-constexpr double kHalf = 0.5;
+constexpr double kMaxFlush = 1.2;               ///< odometry is linearised over at most this long [s]
+constexpr double kMovedSinceFix = 0.02;         ///< less is a standing robot [m]
+constexpr double kSettledProbability = 0.95;    ///< of the canyon, and of one cluster in it
+constexpr double kMajority = 0.5;               ///< probability above which something is taken for so
 constexpr double kSettledYawSigma = 0.35;       ///< of the heading there [rad]
 constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
@@ -163,7 +163,7 @@ std::vector<double> MultipathParticleFilter::sample_modes(const GnssFix& fix, do
 /// The bias of the dominant cluster where no street has one as large: it is rather the pose that is wrong.
 double MultipathParticleFilter::doubtful_bias() const {
   const double bias = cluster_.belief.mean.tail<2>().norm();
-  const bool doubtful = bias > parameters_.largest_bias && class_probability_[kCanyon] < kHalf;
+  const bool doubtful = bias > parameters_.largest_bias && class_probability_[kCanyon] < kMajority;
   return doubtful ? bias : 0.0;
 }
 
@@ -174,7 +174,7 @@ void MultipathParticleFilter::unconfirm() {
 }
 
 void MultipathParticleFilter::update_confirmation() {
-  if (class_probability_[kWheelFault] > kHalf) {
+  if (class_probability_[kWheelFault] > kMajority) {
     alignment_.clear();
     return unconfirm();
   }

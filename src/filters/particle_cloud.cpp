@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-
-#include "multipath_localization/core/elementary.hpp"
 
 namespace multipath_localization {
 
@@ -24,15 +21,10 @@ struct Probes {
 };
 
 int count_within(const Probes* probes, PoseNeighbourhood within) {
-  const double square_distance = within.distance * within.distance;
   int count = 0;
 #pragma omp simd reduction(+ : count)
   for (std::size_t i = 0; i < kProbes; ++i) {
-    const double dx = probes->x[i] - within.centre.x;
-    const double dy = probes->y[i] - within.centre.y;
-    const double turn = std::abs(elementary::wrap(probes->yaw[i] - within.centre.yaw));
-    const double near = dx * dx + dy * dy <= square_distance ? 1.0 : 0.0;
-    count += static_cast<int>(turn <= within.turn ? near : 0.0);
+    count += static_cast<int>(membership(within, probes->x[i], probes->y[i], probes->yaw[i]));
   }
   return count;
 }

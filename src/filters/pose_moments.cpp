@@ -9,14 +9,9 @@ namespace multipath_localization {
 namespace {
 
 void mark(PoseBlock poses, PoseNeighbourhood within, float* member) {
-  const double square_distance = within.distance * within.distance;
 #pragma omp simd
   for (std::size_t i = 0; i < poses.size; ++i) {
-    const double dx = poses.x[i] - within.centre.x;
-    const double dy = poses.y[i] - within.centre.y;
-    const double turn = std::abs(elementary::wrap(poses.yaw[i] - within.centre.yaw));
-    const double near = dx * dx + dy * dy <= square_distance ? 1.0 : 0.0;
-    member[i] = static_cast<float>(turn <= within.turn ? near : 0.0);
+    member[i] = static_cast<float>(membership(within, poses.x[i], poses.y[i], poses.yaw[i]));
   }
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "multipath_localization/core/block.hpp"
+#include "multipath_localization/core/elementary.hpp"
 #include "multipath_localization/core/instruction_set.hpp"
 #include "multipath_localization/core/pose.hpp"
 
@@ -14,6 +16,15 @@ struct PoseNeighbourhood {
   double distance = 0.0;
   double turn = 0.0;
 };
+
+/// 1 for a pose within the neighbourhood, else 0; without a branch, for loops that are vectorised.
+inline double membership(const PoseNeighbourhood& within, double x, double y, double yaw) {
+  const double dx = x - within.centre.x;
+  const double dy = y - within.centre.y;
+  const double turn = std::abs(elementary::wrap(yaw - within.centre.yaw));
+  const double near = dx * dx + dy * dy <= within.distance * within.distance ? 1.0 : 0.0;
+  return turn <= within.turn ? near : 0.0;
+}
 
 /// `member` becomes 1 for those of a block within the neighbourhood, 0 for the others.
 void mark_members(InstructionSet set, const PoseBlock& poses, const PoseNeighbourhood& within, float* member);
