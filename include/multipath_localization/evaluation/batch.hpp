@@ -40,6 +40,7 @@ struct RunRecord {
   Score score;
   Score fixes;                        ///< of the fixes as they came
   std::optional<double> longest_off;  ///< the estimate was off on end [s]
+  std::optional<double> longest_beyond_3_sigma;  ///< by its own covariance, on end [s]
   Course course;                      ///< scenarios only
   double cpu = 0.0;                   ///< processor time of the thread, the simulator's included [s]
 
