@@ -53,8 +53,8 @@ double nees_of(const Epoch& epoch) {
   return error.dot(P.ldlt().solve(error));
 }
 
-/// The longest time on end [s] that `holds`, from the first valid epoch on; a stretch ends with the first epoch
-/// that is out of it.
+/// The longest time on end [s] that `holds`, from the first valid epoch on; a stretch ends with the first
+/// epoch that is out of it.
 std::optional<double> longest(const std::vector<Epoch>& epochs, double from,
                               const std::function<bool(const Epoch&)>& holds) {
   std::optional<double> longest;

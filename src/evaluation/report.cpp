@@ -84,8 +84,8 @@ const std::vector<Column>& columns() {
       of("NEES", &Score::nees_mean),
       {"in 95 %", 0, [](const RunRecord&, const Score& s) { return scaled(s.in_ellipse, 100.0); }},
       {"off s <=", 1, [](const RunRecord& run, const Score&) { return run.longest_off; }, Over::kMost, false},
-      {"beyond 3 sigma s <=", 1, [](const RunRecord& run, const Score&) { return run.longest_beyond_3_sigma; },
-       Over::kMost, false},
+      {"beyond 3 sigma s <=", 1,
+       [](const RunRecord& run, const Score&) { return run.longest_beyond_3_sigma; }, Over::kMost, false},
       {"waypoints >=", 0,
        [](const RunRecord& run, const Score&) { return count(run.course.waypoints_passed); }, Over::kLeast,
        false},
@@ -120,7 +120,8 @@ std::string worst_cell(const Line& line) {
 /// One line per source for the fixes as they are, then one per estimator.
 std::vector<Line> lines(const std::vector<RunRecord>& runs) {
   std::vector<Line> all;
-  const auto line = [&](const std::string& source, const std::string& title, Score RunRecord::*score) -> Line& {
+  const auto line = [&](const std::string& source, const std::string& title,
+                        Score RunRecord::*score) -> Line& {
     const auto known = std::find_if(all.begin(), all.end(), [&](const Line& l) {
       return l.source == source && l.title == title && l.score == score;
     });
@@ -173,8 +174,9 @@ std::string to_json(const std::vector<RunRecord>& runs) {
         << ", \"heading_rmse_rad\": " << json(s.heading_rmse)
         << ", \"rmse_shadow_m\": " << json(s.rmse_shadow) << ", \"rmse_open_m\": " << json(s.rmse_open)
         << ", \"longest_off_s\": " << json(run.longest_off)
-        << ", \"longest_beyond_3_sigma_s\": " << json(run.longest_beyond_3_sigma) << ", \"nees_mean\": " << json(s.nees_mean)
-        << ", \"cpu_s\": " << json(run.cpu) << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
+        << ", \"longest_beyond_3_sigma_s\": " << json(run.longest_beyond_3_sigma)
+        << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu)
+        << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
         << ", \"fix_rmse_shadow_m\": " << json(run.fixes.rmse_shadow)
         << ", \"fix_rmse_open_m\": " << json(run.fixes.rmse_open) << "}";
     separator = ",\n";

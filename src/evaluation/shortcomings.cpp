@@ -34,7 +34,8 @@ struct Contest {
 
 template <class Entry, class Key>
 Entry& entry(std::vector<Entry>& entries, Key Entry::*key, const Key& name) {
-  const auto known = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.*key == name; });
+  const auto known =
+      std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.*key == name; });
   if (known != entries.end()) return *known;
   entries.emplace_back().*key = name;
   return entries.back();

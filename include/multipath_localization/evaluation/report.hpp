@@ -14,10 +14,10 @@ namespace multipath_localization {
 /// apply is null.
 std::string to_json(const std::vector<RunRecord>& runs);
 
-/// The runs that ended as a table: per stream one line for the fixes as they are and one per estimator, in the
-/// order of their first runs; the runs of a stream stand together. Figures are means over the runs, in metres where nothing else is said; of waypoints
-/// passed the least and of their misses the most; last the worst run. Columns that apply to no line are left
-/// out.
+/// The runs that ended as a table: per stream one line for the fixes as they are and one per estimator, in
+/// the order of their first runs; the runs of a stream stand together. Figures are means over the runs, in
+/// metres where nothing else is said; of waypoints passed the least and of their misses the most; last the
+/// worst run. Columns that apply to no line are left out.
 std::string to_table(const std::vector<RunRecord>& runs);
 
 }  // namespace multipath_localization
