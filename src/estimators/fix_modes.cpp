@@ -8,7 +8,7 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kMaxSlip = 3.0;             ///< distance that slip can have faked at most [m]
+constexpr double kMaxSlip = 3.0;             ///< distance that slip can have faked or hidden at most [m]
 constexpr double kMaxSlipInterval = 2.0;     ///< never explain an outage by slip [s]
 constexpr double kStandingRateFactor = 0.1;  ///< shadows come and go slower for a robot that stands
 constexpr double kHeadingGateSquared = 9.0;  ///< no heading restart within 3 sigma of the heading held
@@ -82,7 +82,7 @@ FixModes::Transition FixModes::transition(const FixMode& mode) const {
 
 double FixModes::slip_probability(const FixMode& mode) const {
   const double dt = interval_.duration;
-  if (!interval_.moving || dt >= kMaxSlipInterval || receiver_.slip_rate <= 0.0) return 0.0;
+  if (dt >= kMaxSlipInterval || receiver_.slip_rate <= 0.0) return 0.0;
   return mode.slipping ? std::exp(-dt * interval_.slip_end_rate) : chance(receiver_.slip_rate, dt);
 }
 
@@ -106,7 +106,7 @@ FixCandidates FixModes::candidates(const FixMode& mode, const Belief& belief) co
   all[3] = base(mode, {true, true, false});
   all[3].prior = usual * to.shadow * to.noisy_if_shadow;
   all[4] = base(mode, {mode.shadow, false, true});
-  all[4].prior = slip * (mode.shadow ? to.shadow : 1.0 - to.shadow);
+  all[4].prior = slip;
   all[5] = base(mode, mode);
   all[5].mode.slipping = false;
   all[5].outlier = true;
@@ -123,11 +123,12 @@ FixCandidates FixModes::candidates(const FixMode& mode, const Belief& belief) co
 Eigen::Matrix2d FixModes::extra_position_covariance(const FixCandidate& candidate, double yaw) const {
   if (candidate.restart != Restart::kNone)
     return square(interval_.restart_sigma) * Eigen::Matrix2d::Identity();
-  const Eigen::Matrix2d walk =
-      square(receiver_.position_walk) * interval_.duration * Eigen::Matrix2d::Identity();
-  if (!candidate.mode.slipping) return walk;
+  const Eigen::Matrix2d unseen =
+      square(receiver_.unseen_motion * interval_.usual_speed * interval_.duration) *
+      Eigen::Matrix2d::Identity();
+  if (!candidate.mode.slipping) return unseen;
   const Eigen::Vector2d along(std::cos(yaw), std::sin(yaw));
-  return walk + square(std::min(interval_.distance, kMaxSlip)) * along * along.transpose();
+  return unseen + square(std::min(interval_.slip_distance, kMaxSlip)) * along * along.transpose();
 }
 
 double FixModes::log_likelihood(const FixCandidate& candidate, const FixPrediction& prediction, double yaw,

@@ -78,12 +78,11 @@ struct ClassFlow {
   PerClass received{};
   PerClass after{};
 
-  ClassFlow(const PerClass& before, const Banks& banks, const ReceiverClasses& classes, double dt)
-      : after(before) {
+  ClassFlow(const PerClass& before, const Banks& banks, const PerClass& entry) : after(before) {
     for (std::size_t from = 0; from < kReceiverClassCount; ++from) {
       for (std::size_t to = 0; to < kReceiverClassCount; ++to) {
         if (from == to || banks[to].members.empty()) continue;
-        between[from][to] = before[from] * (1.0 - std::exp(-classes[to].entry_rate * dt));
+        between[from][to] = before[from] * entry[to];
         after[from] -= between[from][to];
         after[to] += between[from][to];
         received[to] += between[from][to];
@@ -154,10 +153,17 @@ ClassCounts class_counts(const PerClass& weights, std::size_t count, double floo
   return counts;
 }
 
-void mix_classes(std::vector<BeliefParticle>& particles, const ReceiverClasses& classes, double dt,
-                 RandomStream& random) {
+PerClass entry_probabilities(const ReceiverClasses& classes, double dt) {
+  PerClass entry{};
+  for (std::size_t k = 0; k < kReceiverClassCount; ++k)
+    entry[k] = 1.0 - std::exp(-classes[k].entry_rate * dt);
+  return entry;
+}
+
+void mix_classes(std::vector<BeliefParticle>& particles, const ReceiverClasses& classes,
+                 const PerClass& entry, RandomStream& random) {
   const auto banks = banks_of(particles);
-  const ClassFlow flow(class_weights(particles), banks, classes, dt);
+  const ClassFlow flow(class_weights(particles), banks, entry);
   const std::vector<BeliefParticle> old = particles;
   for (std::size_t to = 0; to < kReceiverClassCount; ++to) {
     const std::vector<std::size_t>& members = banks[to].members;

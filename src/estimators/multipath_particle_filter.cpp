@@ -11,11 +11,13 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kMaxFlush = 1.2;               ///< odometry is linearised over at most this long [s]
-constexpr double kMovedSinceFix = 0.02;         ///< less is a standing robot [m]
-constexpr double kSettledProbability = 0.95;    ///< of the canyon, and of one cluster in it
-constexpr double kMajority = 0.5;               ///< probability above which something is taken for so
-constexpr double kSettledYawSigma = 0.35;       ///< of the heading there [rad]
+constexpr double kMaxFlush = 1.2;             ///< odometry is linearised over at most this long [s]
+constexpr double kSpeedMemory = 10.0;         ///< over which the usual speed is averaged [s]
+constexpr double kSuspicion = 10.0;           ///< wheels that stand after a jump may be locked this long [s]
+constexpr double kMovedSinceFix = 0.02;       ///< less is a standing robot [m]
+constexpr double kSettledProbability = 0.95;  ///< of the canyon, and of one cluster in it
+constexpr double kMajority = 0.5;             ///< probability above which something is taken for so
+constexpr double kSettledYawSigma = 0.35;     ///< of the heading there [rad]
 constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
 
@@ -44,6 +46,7 @@ MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterPa
     : parameters_(parameters),
       seed_(seed),
       odometry_(parameters.odometry),
+      odometry_jump_(parameters.odometry_jump, parameters.odometry),
       alignment_(parameters.alignment_length, parameters.classes.street.quiet_sigma,
                  parameters.alignment_variance_floor) {}
 
@@ -52,6 +55,7 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   now_ = u.stamp;
   if (particles_.empty()) return;
   odometry_.add(u);
+  odometry_jump_.add(u);
   distance_since_fix_ += std::abs(u.speed) * u.duration;
   if (!standing(u)) alignment_.add(u);
   if (odometry_.duration() > kMaxFlush) flush_odometry();
@@ -102,8 +106,9 @@ Innovation MultipathParticleFilter::innovation(const GnssFix& fix) const {
 FixInterval MultipathParticleFilter::interval(const ReceiverClass& receiver, double duration) const {
   FixInterval result;
   result.duration = duration;
-  result.distance = distance_since_fix_;
   result.moving = distance_since_fix_ > kMovedSinceFix;
+  result.usual_speed = usual_speed_;
+  result.slip_distance = result.moving ? distance_since_fix_ : usual_speed_ * duration;
   result.position_restart_rate = confirmed_ ? 0.0 : receiver.jump_rate;
   result.heading_restart_rate = confirmed_ ? parameters_.heading_restart_rate : receiver.jump_rate;
   result.restart_sigma = std::max(parameters_.restart_sigma, doubtful_bias());
@@ -115,14 +120,19 @@ FixInterval MultipathParticleFilter::interval(const ReceiverClass& receiver, dou
 void MultipathParticleFilter::weigh(const GnssFix& fix) {
   const double duration = std::max(0.0, now_ - last_fix_);
   const bool moving = distance_since_fix_ > kMovedSinceFix;
-  const double class_time = moving ? duration : 0.0;
-  if (moving) {
+  const bool suspect = odometry_jump_.take();
+  suspected_for_ = suspect ? kSuspicion : std::max(0.0, suspected_for_ - duration);
+  const double class_time = moving || suspected_for_ > 0.0 ? duration : 0.0;
+  if (moving && duration > 0.0) {
+    usual_speed_ += std::min(1.0, duration / kSpeedMemory) * (distance_since_fix_ / duration - usual_speed_);
     const Eigen::Vector2d lever = rotation(cluster_.belief.mean(kYaw)) * fix.antenna_in_base;
     alignment_.add(Eigen::Vector2d(fix.position - lever));
-    update_confirmation();
   }
+  if (class_time > 0.0) update_confirmation();
   RandomStream mixing(seed_, step_, kMixing);
-  mix_classes(particles_, parameters_.classes, class_time, mixing);
+  PerClass entry = entry_probabilities(parameters_.classes, class_time);
+  if (suspect) entry[kWheelFault] = parameters_.odometry_jump.fault_probability;
+  mix_classes(particles_, parameters_.classes, entry, mixing);
   const std::vector<double> log_likelihood = sample_modes(fix, duration);
   reweigh(particles_, log_likelihood, std::min(1.0, class_time / parameters_.class_evidence_time));
   refresh_cluster();
@@ -206,14 +216,17 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   result.stamp = now_;
   if (particles_.empty()) return result;
   const Belief belief = current_belief();
-  const Eigen::Matrix2d floor = square(parameters_.position_sigma_floor) * Eigen::Matrix2d::Identity();
+  const double caution = square(parameters_.sigma_factor);
   result.valid = true;
   result.aligned = confirmed_ || settled_over_ > parameters_.confirm_distance;
+  const double least_sigma =
+      result.aligned ? parameters_.position_sigma_floor : parameters_.unconfirmed_sigma;
+  const Eigen::Matrix2d floor = square(least_sigma) * Eigen::Matrix2d::Identity();
   result.pose = belief.pose();
-  result.covariance = belief.covariance.topLeftCorner<3, 3>();
+  result.covariance = caution * belief.covariance.topLeftCorner<3, 3>();
   result.covariance.topLeftCorner<2, 2>() += floor;
   result.dominance = cluster_.mass;
-  result.position_covariance_overall = cluster_.overall_position_covariance + floor;
+  result.position_covariance_overall = caution * cluster_.overall_position_covariance + floor;
   result.shadow_probability = cluster_.shadow;
   result.canyon_probability = class_probability_[kCanyon];
   result.wheel_fault_probability = class_probability_[kWheelFault];

@@ -26,9 +26,14 @@ void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
   field("confirm_distance", confirm_distance, {0.0, 1000.0}, "m",
         "driving under open sky that confirms the pose");
   field("confirmed_start", confirmed_start, "whether a pose to start from counts as confirmed");
+  field("sigma_factor", sigma_factor, {1.0, 10.0}, "1",
+        "published standard deviations of the pose in those of the hypotheses: no model of errors is exact");
   field("position_sigma_floor", position_sigma_floor, {0.0, 100.0}, "m",
         "added to the published position: no covariance is believed below it");
+  field("unconfirmed_sigma", unconfirmed_sigma, {0.0, 100.0}, "m",
+        "added instead until the pose is confirmed: it may have started in a shadow");
   field.group("odometry", odometry, "how far the wheel odometry can be trusted");
+  field.group("odometry_jump", odometry_jump, "when the wheel odometry is suspected of a fault");
   field.group("classes", classes, "kinds of place and receiver");
 }
 

@@ -30,8 +30,9 @@ void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
   particles_.clear();
   odometry_.restart(0.0, 0.0);
   alignment_.clear();
+  odometry_jump_.clear();
   fix_check_.forget();
-  distance_since_fix_ = confirmed_over_ = settled_over_ = 0.0;
+  distance_since_fix_ = usual_speed_ = suspected_for_ = confirmed_over_ = settled_over_ = 0.0;
   confirmed_ = false;
   step_ = 0;
   if (prior && usable(*prior)) start_at(*prior);

@@ -12,6 +12,7 @@ void rate(const Drive& drive, const Batch& batch, RunRecord& run) {
   const double from = drive.start() + batch.score_from;
   run.score = score(run.epochs, from);
   run.longest_off = longest_off(run.epochs, from, batch.off_from);
+  run.longest_beyond_3_sigma = longest_beyond_3_sigma(run.epochs, from);
   run.fixes = score_fixes(drive, from);
 }
 

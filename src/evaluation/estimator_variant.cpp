@@ -1,9 +1,9 @@
 #include "multipath_localization/evaluation/estimator_variant.hpp"
 
 #include <set>
-#include <utility>
 
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/evaluation/layered_maps.hpp"
 
 namespace multipath_localization {
 
@@ -49,23 +49,6 @@ void refuse_what_is_no_map(const EstimatorVariant& variant) {
   throw ParameterError("'" + variant.parameters + "' is not {KEY: VALUE, ...}");
 }
 
-/// Lays one map over another, map by map.
-void lay_over(const YAML::Node& base, const YAML::Node& upper) {
-  std::vector<std::pair<YAML::Node, YAML::Node>> to_do = {{base, upper}};
-  while (!to_do.empty()) {
-    auto [below, above] = to_do.back();
-    to_do.pop_back();
-    for (const auto& entry : above) {
-      const auto key = entry.first.as<std::string>();
-      if (entry.second.IsMap() && below[key].IsMap()) {
-        to_do.emplace_back(below[key], entry.second);
-      } else {
-        below[key] = entry.second;
-      }
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<EstimatorVariant> parse_variants(const std::string& list) {
@@ -82,10 +65,7 @@ std::vector<EstimatorVariant> parse_variants(const std::string& list) {
 }
 
 YAML::Node over(const YAML::Node& parameters, const EstimatorVariant& variant) {
-  YAML::Node result =
-      parameters && parameters.IsMap() ? YAML::Clone(parameters) : YAML::Node(YAML::NodeType::Map);
-  if (!variant.parameters.empty()) lay_over(result, YAML::Load(variant.parameters));
-  return result;
+  return laid_over(parameters, variant.parameters.empty() ? YAML::Node() : YAML::Load(variant.parameters));
 }
 
 }  // namespace multipath_localization

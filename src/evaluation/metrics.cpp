@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace multipath_localization {
 
@@ -40,6 +41,32 @@ std::optional<double> mean(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
   return sum / static_cast<double>(values.size());
+}
+
+Eigen::Vector2d error_of(const Epoch& epoch) {
+  return epoch.estimate.position() - epoch.truth.base_in_map.position();
+}
+
+double nees_of(const Epoch& epoch) {
+  const Eigen::Vector2d error = error_of(epoch);
+  const Eigen::Matrix2d P = epoch.position_covariance + kResolution * Eigen::Matrix2d::Identity();
+  return error.dot(P.ldlt().solve(error));
+}
+
+/// The longest time on end [s] that `holds`, from the first valid epoch on; a stretch ends with the first
+/// epoch that is out of it.
+std::optional<double> longest(const std::vector<Epoch>& epochs, double from,
+                              const std::function<bool(const Epoch&)>& holds) {
+  std::optional<double> longest;
+  std::optional<double> since;
+  for (const Epoch& epoch : epochs) {
+    const bool counts = epoch.truth.stamp >= from && (epoch.valid || longest);
+    if (!counts) continue;
+    if (!since) since = epoch.truth.stamp;
+    longest = std::max(longest.value_or(0.0), epoch.truth.stamp - *since);
+    if (!holds(epoch)) since.reset();
+  }
+  return longest;
 }
 
 void summarise(const std::vector<PositionError>& errors, Score& score) {
@@ -85,10 +112,8 @@ Score score(const std::vector<Epoch>& epochs, double from) {
       ++score.unscored;
       continue;
     }
-    const Eigen::Vector2d error = epoch.estimate.position() - epoch.truth.base_in_map.position();
-    errors.push_back({error.norm(), epoch.truth.shadow});
-    const Eigen::Matrix2d P = epoch.position_covariance + kResolution * Eigen::Matrix2d::Identity();
-    nees.push_back(error.dot(P.ldlt().solve(error)));
+    errors.push_back({error_of(epoch).norm(), epoch.truth.shadow});
+    nees.push_back(nees_of(epoch));
     inside += nees.back() <= kChiSquare95 ? 1.0 : 0.0;
     if (epoch.truth.has_yaw) heading.add(angle_difference(epoch.estimate.yaw, epoch.truth.base_in_map.yaw));
   }
@@ -100,18 +125,12 @@ Score score(const std::vector<Epoch>& epochs, double from) {
 }
 
 std::optional<double> longest_off(const std::vector<Epoch>& epochs, double from, double distance) {
-  std::optional<double> longest;
-  std::optional<double> since;
-  for (const Epoch& epoch : epochs) {
-    const bool counts = epoch.truth.stamp >= from && (epoch.valid || longest);
-    if (!counts) continue;
-    const Eigen::Vector2d error = epoch.estimate.position() - epoch.truth.base_in_map.position();
-    const bool off = !epoch.valid || error.norm() >= distance;
-    if (!since) since = epoch.truth.stamp;
-    longest = std::max(longest.value_or(0.0), epoch.truth.stamp - *since);
-    if (!off) since.reset();
-  }
-  return longest;
+  return longest(epochs, from,
+                 [&](const Epoch& epoch) { return !epoch.valid || error_of(epoch).norm() >= distance; });
+}
+
+std::optional<double> longest_beyond_3_sigma(const std::vector<Epoch>& epochs, double from) {
+  return longest(epochs, from, [](const Epoch& epoch) { return epoch.valid && nees_of(epoch) > 9.0; });
 }
 
 Score score_fixes(const Drive& drive, double from) {

@@ -31,6 +31,7 @@ std::string figure(double value, int digits) {
 
 /// A line of the table: the runs behind it and which score of theirs it is about.
 struct Line {
+  std::string source;
   std::string title;
   std::vector<const RunRecord*> runs;
   Score RunRecord::*score;
@@ -83,6 +84,8 @@ const std::vector<Column>& columns() {
       of("NEES", &Score::nees_mean),
       {"in 95 %", 0, [](const RunRecord&, const Score& s) { return scaled(s.in_ellipse, 100.0); }},
       {"off s <=", 1, [](const RunRecord& run, const Score&) { return run.longest_off; }, Over::kMost, false},
+      {"beyond 3 sigma s <=", 1,
+       [](const RunRecord& run, const Score&) { return run.longest_beyond_3_sigma; }, Over::kMost, false},
       {"waypoints >=", 0,
        [](const RunRecord& run, const Score&) { return count(run.course.waypoints_passed); }, Over::kLeast,
        false},
@@ -114,32 +117,40 @@ std::string worst_cell(const Line& line) {
   return figure(*(worst->*line.score).rmse, 2) + " (" + std::to_string(worst->seed) + ")";
 }
 
+/// One line per source for the fixes as they are, then one per estimator.
 std::vector<Line> lines(const std::vector<RunRecord>& runs) {
-  std::vector<Line> all = {{"(fixes as they are)", {}, &RunRecord::fixes}};
+  std::vector<Line> all;
+  const auto line = [&](const std::string& source, const std::string& title,
+                        Score RunRecord::*score) -> Line& {
+    const auto known = std::find_if(all.begin(), all.end(), [&](const Line& l) {
+      return l.source == source && l.title == title && l.score == score;
+    });
+    return known == all.end() ? all.emplace_back(Line{source, title, {}, score}) : *known;
+  };
+  const RunRecord* first = nullptr;
   for (const RunRecord& run : runs) {
     if (!run.failure.empty()) continue;
-    const auto known =
-        std::find_if(all.begin() + 1, all.end(), [&](const Line& l) { return l.title == run.estimator; });
-    if (known == all.end()) {
-      all.push_back({run.estimator, {&run}, &RunRecord::score});
-    } else {
-      known->runs.push_back(&run);
+    if (first == nullptr || run.source != first->source) first = &run;
+    if (run.estimator == first->estimator) {
+      line(run.source, "(fixes as they are)", &RunRecord::fixes).runs.push_back(&run);
     }
+    line(run.source, run.estimator, &RunRecord::score).runs.push_back(&run);
   }
-  if (all.size() > 1) all.front().runs = all[1].runs;
   return all;
 }
 
 using TextColumn = std::vector<std::string>;
 
-std::string side_by_side(const std::vector<TextColumn>& text) {
+/// The first `names` columns begin, the others end at the same place in every line.
+std::string side_by_side(const std::vector<TextColumn>& text, std::size_t names) {
   std::string out;
   for (std::size_t row = 0; row < text.front().size(); ++row) {
     for (std::size_t i = 0; i < text.size(); ++i) {
       std::size_t width = 0;
       for (const std::string& cell : text[i]) width = std::max(width, cell.size());
       const std::string padding(width - text[i][row].size(), ' ');
-      out += i == 0 ? text[i][row] + padding : "  " + padding + text[i][row];
+      if (i > 0) out += "  ";
+      out += i < names ? text[i][row] + padding : padding + text[i][row];
     }
     out += "\n";
   }
@@ -162,8 +173,10 @@ std::string to_json(const std::vector<RunRecord>& runs) {
         << ", \"p95_m\": " << json(s.p95) << ", \"max_m\": " << json(s.max)
         << ", \"heading_rmse_rad\": " << json(s.heading_rmse)
         << ", \"rmse_shadow_m\": " << json(s.rmse_shadow) << ", \"rmse_open_m\": " << json(s.rmse_open)
-        << ", \"longest_off_s\": " << json(run.longest_off) << ", \"nees_mean\": " << json(s.nees_mean)
-        << ", \"cpu_s\": " << json(run.cpu) << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
+        << ", \"longest_off_s\": " << json(run.longest_off)
+        << ", \"longest_beyond_3_sigma_s\": " << json(run.longest_beyond_3_sigma)
+        << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu)
+        << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
         << ", \"fix_rmse_shadow_m\": " << json(run.fixes.rmse_shadow)
         << ", \"fix_rmse_open_m\": " << json(run.fixes.rmse_open) << "}";
     separator = ",\n";
@@ -174,11 +187,18 @@ std::string to_json(const std::vector<RunRecord>& runs) {
 
 std::string to_table(const std::vector<RunRecord>& runs) {
   const std::vector<Line> rows = lines(runs);
-  std::vector<TextColumn> text = {{"estimator"}, {"runs"}};
+  const bool several = std::any_of(rows.begin(), rows.end(),
+                                   [&](const Line& line) { return line.source != rows.front().source; });
+  TextColumn sources = {"stream"};
+  TextColumn estimators = {"estimator"};
+  TextColumn counts = {"runs"};
   for (const Line& line : rows) {
-    text[0].push_back(line.title);
-    text[1].push_back(std::to_string(line.runs.size()));
+    sources.push_back(line.source);
+    estimators.push_back(line.title);
+    counts.push_back(std::to_string(line.runs.size()));
   }
+  std::vector<TextColumn> text = {estimators, counts};
+  if (several) text.insert(text.begin(), sources);
   for (const Column& column : columns()) {
     TextColumn cells = {column.title};
     for (const Line& line : rows) cells.push_back(cell_of(line, column));
@@ -189,7 +209,7 @@ std::string to_table(const std::vector<RunRecord>& runs) {
   TextColumn worst = {"worst rmse (seed)"};
   for (const Line& line : rows) worst.push_back(worst_cell(line));
   text.push_back(worst);
-  return side_by_side(text);
+  return side_by_side(text, several ? 2 : 1);
 }
 
 }  // namespace multipath_localization

@@ -28,11 +28,11 @@ bool is_truth(const YAML::Node& source) {
   return text == "truth";
 }
 
-void refuse_unknown(const YAML::Node& source, const std::string& file) {
-  if (!source.IsMap()) throw ParameterError(file + " is not a map");
+void refuse_unknown(const YAML::Node& source, const std::string& origin) {
+  if (!source.IsMap()) throw ParameterError(origin + " is not a map");
   for (const auto& entry : source) {
     const auto key = entry.first.as<std::string>();
-    if (kKeys.count(key) == 0) throw ParameterError("unknown key " + key + " in " + file);
+    if (kKeys.count(key) == 0) throw ParameterError("unknown key " + key + " in " + origin);
   }
 }
 
@@ -69,10 +69,13 @@ std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::st
 }
 
 Scenario load_scenario(const std::string& file) {
-  const YAML::Node source = read_yaml(file);
-  refuse_unknown(source, file);
+  return parse_scenario(read_yaml(file), std::filesystem::path(file).stem().string(), file);
+}
+
+Scenario parse_scenario(const YAML::Node& source, const std::string& name, const std::string& origin) {
+  refuse_unknown(source, origin);
   Scenario scenario;
-  scenario.name = std::filesystem::path(file).stem().string();
+  scenario.name = name;
   load(source["simulator"], scenario.simulator, "simulator");
   YAML::Node steering;
   if (source["steering"]) steering = YAML::Clone(source["steering"]);

@@ -29,13 +29,14 @@ void ReceiverClass::fields(ParameterVisitor& field) {
         "rate of turning noisy in shadow");
   field("shadow_noisy_exit_rate", shadow_noisy_exit_rate, {0.0, 100.0}, "1/s",
         "rate of turning quiet in shadow");
-  field("slip_rate", slip_rate, {0.0, 10.0}, "1/s", "rate of wheel slip beginning, while moving");
+  field("slip_rate", slip_rate, {0.0, 10.0}, "1/s", "rate of wheels beginning to slip or to lock");
   field("outlier_probability", outlier_probability, {0.0, 0.5}, "1",
         "probability that a fix is a lone outlier");
   field("outlier_sigma", outlier_sigma, {0.1, 1000.0}, "m", "size of lone outliers");
   field("jump_rate", jump_rate, {0.0, 10.0}, "1/s",
         "rate of restarts from the fixes until the pose is confirmed");
-  field("position_walk", position_walk, {0.0, 100.0}, "m/sqrt(s)", "motion that odometry knows nothing of");
+  field("unseen_motion", unseen_motion, {0.0, 10.0}, "1",
+        "motion that odometry knows nothing of, in parts of the usual speed");
   field("yaw_walk", yaw_walk, {0.0, 10.0}, "rad/sqrt(s)", "turning that odometry knows nothing of");
 }
 
@@ -65,11 +66,12 @@ ReceiverClasses::ReceiverClasses() {
   drifting.open_bias_sigma = 0.7;
 
   wheel_fault.prior = 0.01;
+  wheel_fault.entry_rate = 1e-5;
   wheel_fault.shadow_entry_rate = 0.0;
   wheel_fault.shadow_at_start = 0.0;
   wheel_fault.slip_rate = 0.0;
   wheel_fault.jump_rate = 0.0;
-  wheel_fault.position_walk = 1.0;
+  wheel_fault.unseen_motion = 1.0;
   wheel_fault.yaw_walk = 0.5;
 }
 

@@ -14,6 +14,8 @@
 #include "multipath_localization/evaluation/batch.hpp"
 #include "multipath_localization/evaluation/progress.hpp"
 #include "multipath_localization/evaluation/report.hpp"
+#include "multipath_localization/evaluation/shortcomings.hpp"
+#include "multipath_localization/evaluation/suite.hpp"
 #include "multipath_localization/evaluation/trace.hpp"
 #include "nodes/bag_drive.hpp"
 #include "nodes/fault_injector.hpp"
@@ -34,6 +36,7 @@ struct Options {
   std::string drive;
   std::string bag;
   std::string scenario;
+  std::string suite;
   BagTopics topics;
   std::optional<Geodetic> datum;
   Batch batch;
@@ -81,13 +84,17 @@ Options read_options(const po::variables_map& given) {
     if (given[key].as<int>() < 1) throw UsageError(std::string("--") + key + " is less than 1");
     return static_cast<std::size_t>(given[key].as<int>());
   };
-  if (given.count("drive") + given.count("bag") + given.count("scenario") != 1) {
-    throw UsageError("give one of --drive, --bag, --scenario; --help tells more");
+  if (given.count("drive") + given.count("bag") + given.count("scenario") + given.count("suite") != 1) {
+    throw UsageError("give one of --drive, --bag, --scenario, --suite; --help tells more");
+  }
+  if (given.count("suite") > 0 && given.count("plot") + given.count("faults") > 0) {
+    throw UsageError("--plot and --faults are for one stream, not for a suite");
   }
   Options options;
   options.drive = text("drive");
   options.bag = text("bag");
   options.scenario = text("scenario");
+  options.suite = text("suite");
   options.topics = {text("fix-topic"),   text("odom-topic"), text("truth-topic"), text("shadow-topic"),
                     text("epoch-topic"), text("left-topic"), text("right-topic")};
   if (given.count("datum") > 0) options.datum = parse_datum(text("datum"));
@@ -97,7 +104,6 @@ Options read_options(const po::variables_map& given) {
   options.plot_file = text("plot");
 
   Batch& batch = options.batch;
-  batch.source = options.drive + options.bag + options.scenario;
   batch.estimators = chosen(text("estimators"));
   batch.seeds = count("seeds");
   batch.jobs = count("jobs");
@@ -116,12 +122,31 @@ std::string package_file(const std::string& installed, const std::string& source
   throw UsageError("cannot find " + source);
 }
 
-Stream open_stream(const Options& options) {
-  if (!options.drive.empty()) return read_drive(options.drive);
-  if (!options.bag.empty()) return read_bag(options.bag, options.topics, options.datum);
-  if (fs::path(options.scenario).extension() == ".yaml") return load_scenario(options.scenario);
-  const std::string name = "config/scenarios/" + options.scenario + ".yaml";
-  return load_scenario(package_file("../../share/multipath_localization/" + name, name));
+/// A file the user names: by its path, or by its name in a folder of the package.
+std::string named_file(const std::string& name, const std::string& folder) {
+  if (fs::path(name).extension() == ".yaml") return name;
+  const std::string file = folder + "/" + name + ".yaml";
+  return package_file("../../share/multipath_localization/" + file, file);
+}
+
+/// A stream and what the user calls it.
+struct NamedStream {
+  std::string name;
+  Stream stream;
+};
+
+std::vector<NamedStream> open_streams(const Options& options) {
+  if (!options.drive.empty()) return {{options.drive, read_drive(options.drive)}};
+  if (!options.bag.empty()) return {{options.bag, read_bag(options.bag, options.topics, options.datum)}};
+  if (!options.scenario.empty()) {
+    return {{options.scenario, load_scenario(named_file(options.scenario, "config/scenarios"))}};
+  }
+  std::vector<NamedStream> rows;
+  for (Scenario& row : load_suite(named_file(options.suite, "config/suites"))) {
+    std::string name = row.name;
+    rows.push_back({std::move(name), std::move(row)});
+  }
+  return rows;
 }
 
 /// Whose parameters count in this evaluation.
@@ -148,22 +173,23 @@ void add_faults(const std::string& file, Batch& batch, Stream& stream) {
 
 /// The parameters of each estimator; settles those of the localizer in the batch, of a scenario in the
 /// stream.
-std::vector<std::string> settle_parameters(Options& options, Stream& stream) {
+std::vector<std::string> settle_parameters(const std::vector<std::string>& assignments, Batch& batch,
+                                           Stream& stream) {
   std::vector<std::string> owners = estimator_names();
   owners.insert(owners.end(), {kLocalizer, kSimulator, kSteering});
-  const ParameterOverrides overrides(options.assignments, owners);
-  const std::vector<std::string> run = owners_run(options.batch, stream);
+  const ParameterOverrides overrides(assignments, owners);
+  const std::vector<std::string> run = owners_run(batch, stream);
   for (const std::string& owner : overrides.owners()) {
     if (std::find(run.begin(), run.end(), owner) == run.end()) {
       throw UsageError("--set is for " + owner + ", which is not run");
     }
   }
-  load(overrides.of(kLocalizer), options.batch.settings.localizer, kLocalizer);
+  load(overrides.of(kLocalizer), batch.settings.localizer, kLocalizer);
   if (auto* scenario = std::get_if<Scenario>(&stream)) {
     load(overrides.of(kSimulator), scenario->simulator, kSimulator);
     load(overrides.of(kSteering), scenario->steering, kSteering);
   }
-  return parameters_of(options.batch, stream, overrides);
+  return parameters_of(batch, stream, overrides);
 }
 
 void write_file(const std::string& file, const std::string& content) {
@@ -189,31 +215,49 @@ void plot(const std::string& file, const std::string& trace) {
   if (status != 0) throw std::runtime_error("cannot draw " + file);
 }
 
-std::vector<RunRecord> make_runs(const Batch& batch, const Stream& stream,
-                                 const std::vector<std::string>& parameters) {
-  ProgressBar bar(batch.estimators.size() * batch.seeds, isatty(STDERR_FILENO) != 0);
-  return run_batch(batch, stream, parameters, [&](std::size_t run, double part) { bar.update(run, part); });
+std::vector<RunRecord> make_runs(const Options& options, std::vector<NamedStream>& streams) {
+  const std::size_t runs_of_stream = options.batch.estimators.size() * options.batch.seeds;
+  ProgressBar bar(runs_of_stream * streams.size(), isatty(STDERR_FILENO) != 0);
+  std::vector<RunRecord> runs;
+  for (auto& [name, stream] : streams) {
+    Batch batch = options.batch;
+    batch.source = name;
+    add_faults(options.faults_file, batch, stream);
+    const std::vector<std::string> parameters = settle_parameters(options.assignments, batch, stream);
+    const std::size_t before = runs.size();
+    const auto progress = [&](std::size_t run, double part) { bar.update(before + run, part); };
+    for (RunRecord& run : run_batch(batch, stream, parameters, progress)) runs.push_back(std::move(run));
+  }
+  return runs;
 }
 
-int evaluate(Options options) {
-  Stream stream = open_stream(options);
-  add_faults(options.faults_file, options.batch, stream);
-  const std::vector<std::string> parameters = settle_parameters(options, stream);
-  const std::string title = std::visit([](const auto& s) { return s.name; }, stream);
-  if (const auto* drive = std::get_if<Drive>(&stream)) {
-    for (const std::string& notice : drive->notices) std::cerr << title << ": " << notice << "\n";
-  }
-  const std::vector<RunRecord> runs = make_runs(options.batch, stream, parameters);
-  std::cout << to_table(runs);
-  if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
-  if (!options.plot_file.empty()) plot(options.plot_file, to_trace(title, stream, runs));
+/// How many runs did not end, and says why.
+int report_failures(const std::vector<RunRecord>& runs) {
   int failed = 0;
   for (const RunRecord& run : runs) {
     if (run.failure.empty()) continue;
-    std::cerr << run.estimator << ", seed " << run.seed << ", did not end: " << run.failure << "\n";
+    std::cerr << run.source << ": " << run.estimator << ", seed " << run.seed
+              << ", did not end: " << run.failure << "\n";
     ++failed;
   }
-  return failed == 0 ? 0 : 1;
+  return failed;
+}
+
+int evaluate(const Options& options) {
+  std::vector<NamedStream> streams = open_streams(options);
+  const Stream& first = streams.front().stream;
+  const std::string title = std::visit([](const auto& s) { return s.name; }, first);
+  if (const auto* drive = std::get_if<Drive>(&first)) {
+    for (const std::string& notice : drive->notices) std::cerr << title << ": " << notice << "\n";
+  }
+  const std::vector<RunRecord> runs = make_runs(options, streams);
+  std::cout << to_table(runs);
+  if (!options.suite.empty()) {
+    for (const std::string& sentence : shortcomings(runs)) std::cout << sentence << "\n";
+  }
+  if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
+  if (!options.plot_file.empty()) plot(options.plot_file, to_trace(title, first, runs));
+  return report_failures(runs) == 0 ? 0 : 1;
 }
 
 }  // namespace

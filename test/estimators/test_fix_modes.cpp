@@ -12,7 +12,8 @@ namespace {
 FixInterval driving(double duration) {
   FixInterval interval;
   interval.duration = duration;
-  interval.distance = 2.0 * duration;
+  interval.usual_speed = 2.0;
+  interval.slip_distance = 2.0 * duration;
   interval.moving = true;
   interval.position_restart_rate = 0.05;
   interval.heading_restart_rate = 0.05;
@@ -67,15 +68,7 @@ TEST(FixModes, PriorsSumToOneFromEveryMode) {
         interval.moving = moving;
         const FixModes modes(classes[k], interval);
         for (const FixMode& mode : all_modes()) {
-          const double sum = sum_of_priors(modes.candidates(mode, off_heading(1)));
-          // The modes never change in the same step as slip is on: that product is left out.
-          const double rate = mode.shadow ? classes[k].shadow_exit_rate : classes[k].shadow_entry_rate;
-          const double switches = 1.0 - std::exp(-rate * duration);
-          EXPECT_LE(sum, 1.0 + 1e-9);
-          EXPECT_GE(sum, 1.0 - switches * (mode.slipping ? std::exp(-duration) : 0.05));
-          if (!moving) {
-            EXPECT_NEAR(sum, 1.0, 1e-12);
-          }
+          EXPECT_NEAR(sum_of_priors(modes.candidates(mode, off_heading(1))), 1.0, 1e-12);
         }
       }
     }
@@ -184,15 +177,35 @@ TEST(FixModes, AnOutlierLeavesThePoseAloneAndAHeadingRestartTakesTheAlignedHeadi
   EXPECT_NEAR(restarted.covariance(kYaw, kYaw), interval.aligned_heading->variance, 1e-9);
 }
 
-TEST(FixModes, AStandingRobotNeitherSlipsNorRestarts) {
+TEST(FixModes, AStandingRobotDoesNotRestart) {
   const ReceiverClass receiver;
   FixInterval interval = driving(0.2);
   interval.moving = false;
   const FixCandidates candidates = FixModes(receiver, interval).candidates({}, off_heading(1));
   for (const FixCandidate& candidate : candidates) {
-    if (!candidate.mode.slipping && candidate.restart == Restart::kNone) continue;
+    if (candidate.restart == Restart::kNone) continue;
     EXPECT_EQ(candidate.prior, 0.0);
   }
+}
+
+TEST(FixModes, SlipMakesThePositionUnsureAlongTheHeadingByWhatItMayHide) {
+  const ReceiverClass receiver;
+  FixInterval interval = driving(0.2);
+  interval.moving = false;
+  interval.slip_distance = 0.4;
+  const Belief before = off_heading(1);
+  const FixModes modes(receiver, interval);
+  const FixCandidate slip = modes.candidates({}, before)[4];
+  ASSERT_TRUE(slip.mode.slipping);
+  EXPECT_GT(slip.prior, 0.0) << "wheels that stand may be locked";
+  const Belief after = carried_over(modes, slip, before);
+  const Eigen::Vector2d along(std::cos(before.mean(kYaw)), std::sin(before.mean(kYaw)));
+  const Eigen::Matrix2d expected = 0.16 * along * along.transpose();
+  EXPECT_LT(
+      (Eigen::Matrix2d(after.covariance.topLeftCorner<2, 2>() - before.covariance.topLeftCorner<2, 2>()) -
+       expected)
+          .norm(),
+      1e-12);
 }
 
 TEST(FixModes, WhatOdometryDoesNotKnowMakesPositionAndHeadingUnsure) {
@@ -202,7 +215,7 @@ TEST(FixModes, WhatOdometryDoesNotKnowMakesPositionAndHeadingUnsure) {
   const FixModes modes(classes[kWheelFault], interval);
   const Belief after = carried_over(modes, modes.candidates({}, before)[0], before);
   const double position = after.covariance(kX, kX) - before.covariance(kX, kX);
-  EXPECT_NEAR(position, classes.wheel_fault.position_walk * classes.wheel_fault.position_walk * 0.4, 1e-12);
+  EXPECT_NEAR(position, std::pow(classes.wheel_fault.unseen_motion * 2.0 * 0.4, 2), 1e-12);
   const double heading = after.covariance(kYaw, kYaw) - before.covariance(kYaw, kYaw);
   EXPECT_NEAR(heading, classes.wheel_fault.yaw_walk * classes.wheel_fault.yaw_walk * 0.4, 1e-12);
 }

@@ -138,7 +138,7 @@ TEST(MixClasses, KeepsTheTotalAndMovesTheFlow) {
   }
   std::vector<BeliefParticle> particles = banks(kSizes, kWeights);
   RandomStream random(6, 0, 0);
-  mix_classes(particles, classes, dt, random);
+  mix_classes(particles, classes, entry_probabilities(classes, dt), random);
   expect_weights(particles, expected, 1e-12);
   EXPECT_EQ(particles.size(), 100U);
 }
@@ -148,7 +148,7 @@ TEST(MixClasses, LosesNothingToAClassWithoutHypotheses) {
   classes.canyon.entry_rate = 0.5;
   std::vector<BeliefParticle> particles = banks({40, 0, 30, 30}, {0.5, 0.0, 0.3, 0.2});
   RandomStream random(6, 0, 0);
-  mix_classes(particles, classes, 1.0, random);
+  mix_classes(particles, classes, entry_probabilities(classes, 1.0), random);
   const PerClass weights = class_weights(particles);
   EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1.0, 1e-12);
 }
@@ -159,7 +159,7 @@ TEST(MixClasses, ReseedsABeatenBankFromTheWinner) {
   classes.canyon.entry_rate = 1e-6;
   std::vector<BeliefParticle> particles = banks(kSizes, {1.0, 1e-12, 0.0, 0.0});
   RandomStream random(7, 0, 0);
-  mix_classes(particles, classes, 1.0, random);
+  mix_classes(particles, classes, entry_probabilities(classes, 1.0), random);
   int newcomers = 0;
   for (const BeliefParticle& particle : particles) {
     if (particle.receiver != kCanyon || particle.belief.mean(kX) >= 100.0) continue;

@@ -137,6 +137,32 @@ TEST(MultipathParticleFilter, KnowsTheCanyonAndHowLittleItKnowsThere) {
   EXPECT_LT(mean, 6.0);
 }
 
+TEST(MultipathParticleFilter, ClaimsLessThanItsHypothesesAndLeastUntilConfirmed) {
+  MultipathParticleFilterParameters parameters;
+  parameters.position_sigma_floor = parameters.unconfirmed_sigma = 0.0;
+  parameters.sigma_factor = 1.0;
+  const auto after = [&](double duration) {
+    SimulatedDrive robot(4);
+    Localizer localizer(std::make_unique<MultipathParticleFilter>(parameters, 4), LocalizerParameters{});
+    localizer.start(std::nullopt);
+    robot.run(localizer, duration);
+    return localizer.estimate();
+  };
+  const PoseEstimate young = after(3.0);
+  const PoseEstimate own = after(40.0);
+  ASSERT_FALSE(young.aligned);
+  ASSERT_TRUE(own.aligned);
+  parameters.sigma_factor = 3.0;
+  parameters.position_sigma_floor = 0.5;
+  parameters.unconfirmed_sigma = 4.0;
+  Eigen::Matrix3d expected = 9.0 * own.covariance;
+  expected.topLeftCorner<2, 2>() += 0.25 * Eigen::Matrix2d::Identity();
+  EXPECT_LT((after(40.0).covariance - expected).norm(), 1e-12);
+  const Eigen::Matrix2d overall =
+      9.0 * young.position_covariance_overall + 16.0 * Eigen::Matrix2d::Identity();
+  EXPECT_LT((after(3.0).position_covariance_overall - overall).norm(), 1e-9);
+}
+
 TEST(MultipathParticleFilter, IsValidFromTheFirstFixAndAlignedAfterTheConfirmingDistance) {
   const MultipathParticleFilterParameters parameters;
   SimulatedDrive robot(1);
@@ -305,42 +331,6 @@ TEST(MultipathParticleFilter, AFirstFixFarAwayIsAStartLikeAnyOther) {
   robot.run(localizer, 60.0);
   EXPECT_TRUE(localizer.estimate().aligned);
   EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
-}
-
-TEST(MultipathParticleFilter, SaysThatOdometryContradictsTheFixesWhileAnEncoderFails) {
-  SimulatedDrive robot(2);
-  Localizer localizer = default_localizer(2);
-  robot.run(localizer, 60.0);
-  robot.spoilt = [](const OdometryIncrement& u) { return OdometryIncrement{u.stamp, u.duration, 0.3, 2.0}; };
-  double probability = 0.0;
-  std::string reason;
-  robot.run(localizer, 60.0, [&] {
-    if (localizer.estimate().wheel_fault_probability <= probability) return;
-    probability = localizer.estimate().wheel_fault_probability;
-    reason = localizer.state_reason();
-  });
-  EXPECT_GT(probability, 0.9);
-  EXPECT_NE(reason.find("odometry contradicts the fixes"), std::string::npos) << reason;
-}
-
-TEST(MultipathParticleFilter, DoubtsThePoseAfterAnEncoderFailedAndFindsTheWayBack) {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    SimulatedDrive robot(seed);
-    Localizer localizer = default_localizer(seed);
-    robot.run(localizer, 60.0);
-    ASSERT_TRUE(localizer.estimate().aligned);
-    robot.spoilt = [](const OdometryIncrement& u) {  // the left wheel stands, of two that are 0.6 m apart
-      const double right = u.speed + 0.3 * u.yaw_rate;
-      return OdometryIncrement{u.stamp, u.duration, 0.5 * right, right / 0.6};
-    };
-    robot.run(localizer, 10.0);
-    robot.spoilt = [](const OdometryIncrement& u) { return u; };
-    bool doubted = false;
-    robot.run(localizer, 120.0, [&] { doubted = doubted || localizer.state() == Trust::kAligning; });
-    EXPECT_TRUE(doubted) << seed;
-    EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 2.0) << seed;
-    EXPECT_LT(nees(localizer.estimate(), robot.truth), 14.0) << seed;
-  }
 }
 
 }  // namespace

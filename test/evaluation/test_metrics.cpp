@@ -92,6 +92,21 @@ TEST(LongestOff, RunsFromTheFirstEpochThatIsOffToTheFirstThatIsNot) {
   EXPECT_DOUBLE_EQ(*longest_off(epochs, 0.0, 4.0), 0.0);
 }
 
+TEST(LongestBeyond3Sigma, GoesByTheCovarianceAndOnlyWhereThereIsAnEstimate) {
+  std::vector<Epoch> epochs;
+  for (const double error : {0.0, 3.5, 3.5, 3.5, 2.9, 3.5}) {
+    epochs.push_back(epoch(static_cast<double>(epochs.size()), error, 0.0));
+    epochs.back().position_covariance = Eigen::Matrix2d::Identity();
+  }
+  EXPECT_DOUBLE_EQ(*longest_beyond_3_sigma(epochs, 0.0), 3.0);
+  EXPECT_DOUBLE_EQ(*longest_beyond_3_sigma(epochs, 4.0), 0.0);
+  epochs[2].valid = false;
+  EXPECT_DOUBLE_EQ(*longest_beyond_3_sigma(epochs, 0.0), 1.0);
+  for (Epoch& e : epochs) e.position_covariance *= 2.0;
+  EXPECT_DOUBLE_EQ(*longest_beyond_3_sigma(epochs, 0.0), 0.0);
+  for (Epoch& e : epochs) e.valid = false;
+  EXPECT_FALSE(longest_beyond_3_sigma(epochs, 0.0));
+}
 TEST(LongestOff, WithoutEstimateCountsAsOffOnceThereWasOne) {
   Epoch without = epoch(1.0, 0.0, 0.0);
   without.valid = false;

@@ -25,10 +25,11 @@ TEST(ToJson, HasTheContractsKeysAndNullsForWhatDoesNotApply) {
   ASSERT_EQ(list.size(), 1u);
   std::vector<std::string> keys;
   for (const auto& entry : list[0]) keys.push_back(entry.first.as<std::string>());
-  EXPECT_EQ(keys, (std::vector<std::string>{"source", "estimator", "seed", "epochs", "mean_m", "rmse_m",
-                                            "median_m", "p95_m", "max_m", "heading_rmse_rad", "rmse_shadow_m",
-                                            "rmse_open_m", "longest_off_s", "nees_mean", "cpu_s",
-                                            "fix_rmse_m", "fix_rmse_shadow_m", "fix_rmse_open_m"}));
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{"source", "estimator", "seed", "epochs", "mean_m", "rmse_m", "median_m",
+                                      "p95_m", "max_m", "heading_rmse_rad", "rmse_shadow_m", "rmse_open_m",
+                                      "longest_off_s", "longest_beyond_3_sigma_s", "nees_mean", "cpu_s",
+                                      "fix_rmse_m", "fix_rmse_shadow_m", "fix_rmse_open_m"}));
   EXPECT_EQ(list[0]["source"].as<std::string>(), "a \"drive\"");
   EXPECT_EQ(list[0]["seed"].as<int>(), 3);
   EXPECT_EQ(list[0]["epochs"].as<int>(), 7);
@@ -54,6 +55,18 @@ TEST(ToTable, MeansOverRunsAndNamesTheWorst) {
   EXPECT_NE(table.find("3.00 (1)"), std::string::npos) << table;
   EXPECT_NE(table.find("(fixes as they are)"), std::string::npos) << table;
   EXPECT_EQ(table.find("NEES"), std::string::npos) << "applies to no line";
+}
+
+TEST(ToTable, KeepsStreamsApart) {
+  RunRecord other = run_of("a", 1, 3.0);
+  other.source = "another";
+  other.fixes.rmse = 7.0;
+  const std::string table = to_table({run_of("a", 1, 1.0), run_of("b", 1, 2.0), other});
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 6) << "a head, two of fixes, three of estimators";
+  EXPECT_EQ(table.find("stream"), 0U);
+  EXPECT_NE(table.find("5.00"), std::string::npos) << table;
+  EXPECT_NE(table.find("7.00"), std::string::npos) << table;
+  EXPECT_EQ(to_table({other}).find("stream"), std::string::npos) << "one needs no name";
 }
 
 TEST(ToTable, ShowsMillimetres) {

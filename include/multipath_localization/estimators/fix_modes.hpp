@@ -37,7 +37,8 @@ using FixCandidates = std::array<FixCandidate, kFixCandidates>;
 /// What all hypotheses of one class share at one fix.
 struct FixInterval {
   double duration = 0.0;               ///< since the last fix [s]
-  double distance = 0.0;               ///< travelled since [m]
+  double slip_distance = 0.0;          ///< that slipping or locked wheels may have hidden since [m]
+  double usual_speed = 0.0;            ///< of the robot when its wheels turn [m/s]
   bool moving = false;                 ///< more than the noise of a standing robot
   double position_restart_rate = 0.0;  ///< [1/s]
   double heading_restart_rate = 0.0;   ///< [1/s]

@@ -28,11 +28,14 @@ PerClass class_weights(const std::vector<BeliefParticle>& particles);
 /// for any class with weight; the heaviest takes what is left.
 ClassCounts class_counts(const PerClass& weights, std::size_t count, double floor);
 
-/// Lets the receiver class change over `dt` seconds as a Markov chain on the weights of the banks. A fraction
-/// of each receiving bank is replaced by draws from the giving ones, which keep their pose and forget their
-/// bias: a beaten bank is re-seeded continually from the winner.
-void mix_classes(std::vector<BeliefParticle>& particles, const ReceiverClasses& classes, double dt,
-                 RandomStream& random);
+/// Probability of changing into each class from another within `dt` seconds.
+PerClass entry_probabilities(const ReceiverClasses& classes, double dt);
+
+/// Lets the receiver class change, with these probabilities of entry, as a Markov chain on the weights of the
+/// banks. A fraction of each receiving bank is replaced by draws from the giving ones, which keep their pose
+/// and forget their bias: a beaten bank is re-seeded continually from the winner.
+void mix_classes(std::vector<BeliefParticle>& particles, const ReceiverClasses& classes,
+                 const PerClass& entry, RandomStream& random);
 
 /// Multiplies the weights by exp(log_likelihood) and normalises. Within a class as they are; between classes
 /// tempered by `exponent` in [0, 1]: errors of fixes a moment apart are no independent evidence of the class.

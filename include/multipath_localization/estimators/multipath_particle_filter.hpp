@@ -8,6 +8,7 @@
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 #include "multipath_localization/estimators/hypothesis_banks.hpp"
+#include "multipath_localization/estimators/odometry_jump.hpp"
 
 namespace multipath_localization {
 
@@ -25,8 +26,11 @@ struct MultipathParticleFilterParameters {
   double confirm_probability = 0.8;
   double confirm_distance = 12.0;
   bool confirmed_start = false;
+  double sigma_factor = 1.5;
   double position_sigma_floor = 0.05;
+  double unconfirmed_sigma = 2.0;
   OdometryNoise odometry;
+  OdometryJumpParameters odometry_jump;
   ReceiverClasses classes;
 
   void fields(ParameterVisitor& field);
@@ -79,11 +83,14 @@ class MultipathParticleFilter : public Estimator {
   double effective_sample_size_ = 0.0;
 
   PreintegratedOdometry odometry_;  ///< since the particles were last moved
+  OdometryJump odometry_jump_;
   RigidAlignment alignment_;
   FixCheck fix_check_;
   double now_ = 0.0;
   double last_fix_ = 0.0;
   double distance_since_fix_ = 0.0;
+  double usual_speed_ = 0.0;     ///< of the last seconds in which the wheels turned [m/s]
+  double suspected_for_ = 0.0;   ///< time left in which standing wheels may be locked [s]
   double confirmed_over_ = 0.0;  ///< distance moved under an open sky that explains the fixes [m]
   double settled_over_ = 0.0;    ///< distance moved in a canyon with one heading left [m]
   bool confirmed_ = false;

@@ -38,10 +38,11 @@ struct RunRecord {
   std::uint64_t seed = 1;
   std::string failure;  ///< why it did not end, and then nothing below counts; empty when it did
   Score score;
-  Score fixes;                        ///< of the fixes as they came
-  std::optional<double> longest_off;  ///< the estimate was off on end [s]
-  Course course;                      ///< scenarios only
-  double cpu = 0.0;                   ///< processor time of the thread, the simulator's included [s]
+  Score fixes;                                   ///< of the fixes as they came
+  std::optional<double> longest_off;             ///< the estimate was off on end [s]
+  std::optional<double> longest_beyond_3_sigma;  ///< by its own covariance, on end [s]
+  Course course;                                 ///< scenarios only
+  double cpu = 0.0;  ///< processor time of the thread, the simulator's included [s]
 
   std::vector<Epoch> epochs;  ///< of seed 1 only, to be drawn
   Drive drive;                ///< of seed 1 of a scenario, or of a recording with faults, only

@@ -45,6 +45,11 @@ Score score(const std::vector<Epoch>& epochs, double from);
 /// without estimate count as off once there was one. Nothing without a valid epoch.
 std::optional<double> longest_off(const std::vector<Epoch>& epochs, double from, double distance);
 
+/// The longest time on end [s], from `from` on, that the error lay outside the 3 sigma ellipse of the
+/// declared covariance: a confident wrong pose. Epochs without estimate claim nothing. Nothing without a
+/// valid epoch.
+std::optional<double> longest_beyond_3_sigma(const std::vector<Epoch>& epochs, double from);
+
 /// The fixes themselves against truth at their own stamps; those without truth or before `from` do not count.
 /// The lever arm is carried by the true heading where there is one.
 Score score_fixes(const Drive& drive, double from);

@@ -36,7 +36,7 @@ struct ReceiverClass {
   double outlier_probability = 0.01;
   double outlier_sigma = 15.0;
   double jump_rate = 0.05;
-  double position_walk = 0.0;
+  double unseen_motion = 0.0;
   double yaw_walk = 0.0;
 
   void fields(ParameterVisitor& field);

@@ -10,6 +10,7 @@ The table has one line per estimator: means over the seeds, in metres where noth
   95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, where they are not;
                  by satellites: where those in line of sight are not the majority of those received, where they are
   off s <=       longest time on end that the estimate was off by --off-from or more, in the worst seed
+  beyond ...     longest time on end that it was outside its own 3 sigma ellipse, in the worst seed
   NEES           error squared over declared variance, 2 is ideal; 'in 95 %' [%] inside the declared ellipse
   waypoints >=   passed by the follower in the seed with the fewest
   missed by <=   the farthest the robot truly was from a waypoint it passed, in the worst seed
@@ -28,6 +29,9 @@ po::options_description stream_options() {
   add("scenario", text("NAME"),
       "a simulation, steered on the estimate unless it says otherwise: config/scenarios/NAME.yaml, or a "
       "file");
+  add("suite", text("NAME"),
+      "scenarios in a row, and what is to be wished for of the first estimator in each: "
+      "config/suites/NAME.yaml, or a file");
   add("fix-topic", text("TOPIC"),
       "of the bag, with or without leading slash; gps/fix, or the only NavSatFix");
   add("epoch-topic", text("TOPIC"), "gnss/epoch, or the only GnssEpoch");

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+
+#include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/models/preintegrated_odometry.hpp"
+
+namespace multipath_localization {
+
+struct OdometryJumpParameters {
+  double largest_acceleration = 5.0;
+  double largest_yaw_acceleration = 8.0;
+  double fault_probability = 0.1;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// Watches for odometry that changes faster than the robot can and its noise explains: an encoder that stops
+/// or starts to count, wheels that lock or spin. Speed and yaw rate are compared as means over a tenth of a
+/// second, two tenths apart, so that neither quantisation nor white noise of single increments counts.
+class OdometryJump {
+ public:
+  OdometryJump(const OdometryJumpParameters& parameters, const OdometryNoise& noise)
+      : parameters_(parameters), noise_(noise) {}
+
+  /// Takes a usable increment.
+  void add(const OdometryIncrement& u);
+
+  /// Whether there was a jump since the last call.
+  bool take();
+
+  void clear();
+
+ private:
+  struct Window {
+    double duration = 0.0;  ///< [s]
+    double distance = 0.0;  ///< signed [m]
+    double turn = 0.0;      ///< [rad]
+  };
+
+  [[nodiscard]] bool jumped(const Window& before, const Window& between, const Window& after) const;
+
+  OdometryJumpParameters parameters_;
+  OdometryNoise noise_;
+  Window current_;
+  std::optional<Window> last_;
+  std::optional<Window> last_but_one_;
+  bool jump_ = false;
+};
+
+}  // namespace multipath_localization

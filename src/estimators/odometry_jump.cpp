@@ -1,0 +1,58 @@
+#include "multipath_localization/estimators/odometry_jump.hpp"
+
+#include <cmath>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kWindow = 0.1;     ///< means are taken over this long [s]
+constexpr double kNoiseGate = 5.0;  ///< sigma of the declared noise
+constexpr double kRounding = 1e-6;
+
+}  // namespace
+
+void OdometryJumpParameters::fields(ParameterVisitor& field) {
+  field("largest_acceleration", largest_acceleration, {0.1, 1e6}, "m/s^2",
+        "odometry that says more of it is suspected of a fault");
+  field("largest_yaw_acceleration", largest_yaw_acceleration, {0.1, 1e6}, "rad/s^2", "the same of turning");
+  field("fault_probability", fault_probability, {0.0, 0.9}, "1",
+        "probability of a fault of the wheels where the odometry is suspected");
+}
+
+void OdometryJump::add(const OdometryIncrement& u) {
+  current_.duration += u.duration;
+  current_.distance += u.speed * u.duration;
+  current_.turn += u.yaw_rate * u.duration;
+  if (current_.duration < kWindow - kRounding) return;
+  jump_ = jump_ || (last_but_one_ && jumped(*last_but_one_, *last_, current_));
+  last_but_one_ = last_;
+  last_ = current_;
+  current_ = {};
+}
+
+bool OdometryJump::jumped(const Window& before, const Window& between, const Window& after) const {
+  const double time = between.duration + 0.5 * (before.duration + after.duration);
+  const double speed = after.distance / after.duration - before.distance / before.duration;
+  const double yaw_rate = after.turn / after.duration - before.turn / before.duration;
+  const double way = std::abs(before.distance) + std::abs(after.distance);
+  const double speed_noise = noise_.distance * std::sqrt(way) / after.duration;
+  const double yaw_rate_noise = noise_.yaw * std::sqrt(before.duration + after.duration) / after.duration;
+  return std::abs(speed) > parameters_.largest_acceleration * time + kNoiseGate * speed_noise ||
+         std::abs(yaw_rate) > parameters_.largest_yaw_acceleration * time + kNoiseGate * yaw_rate_noise;
+}
+
+bool OdometryJump::take() {
+  const bool jump = jump_;
+  jump_ = false;
+  return jump;
+}
+
+void OdometryJump::clear() {
+  last_but_one_.reset();
+  last_.reset();
+  current_ = {};
+  jump_ = false;
+}
+
+}  // namespace multipath_localization

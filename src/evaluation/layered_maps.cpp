@@ -1,0 +1,28 @@
+#include "multipath_localization/evaluation/layered_maps.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace multipath_localization {
+
+YAML::Node laid_over(const YAML::Node& base, const YAML::Node& upper) {
+  YAML::Node result = base && base.IsMap() ? YAML::Clone(base) : YAML::Node(YAML::NodeType::Map);
+  std::vector<std::pair<YAML::Node, YAML::Node>> to_do;
+  if (upper && upper.IsMap()) to_do.emplace_back(result, YAML::Clone(upper));
+  while (!to_do.empty()) {
+    auto [below, above] = to_do.back();
+    to_do.pop_back();
+    for (const auto& entry : above) {
+      const auto key = entry.first.as<std::string>();
+      if (entry.second.IsMap() && below[key].IsMap()) {
+        to_do.emplace_back(below[key], entry.second);
+      } else {
+        below[key] = entry.second;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace multipath_localization
