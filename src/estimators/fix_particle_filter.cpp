@@ -130,8 +130,8 @@ Innovation FixParticleFilter::update(const Measurement& z) {
       bias_radius_.update(fix->position, predicted_ * fix->antenna_in_base, sigma.shadow, now_ - last_fix_);
   if (estimate_.aligned && parameters_.ring.ring_fraction > 0.0) sample_ring(radius, sigma);
   const GnssLikelihood likelihood = likelihood_of(*fix, radius);
-  particles_.weigh([&](const PoseBlock& poses, double* log_weight, float* shadow_share) {
-    likelihood.add_to(particles_.instruction_set(), poses, log_weight, shadow_share);
+  particles_.weigh([&](const PoseBlock& poses, double* log_weight, double* factor, float* shadow_share) {
+    likelihood.add_to(particles_.instruction_set(), poses, log_weight, factor, shadow_share);
   });
   cluster_reach_ = std::max(kLeastClusterReach, kClusterSigmas * sigma.direct);
   take_stock();

@@ -55,6 +55,11 @@ std::array<std::size_t, kProbes> evenly_drawn(const BlockWeights& weights) {
   return drawn;
 }
 
+void add_logarithms(const double* factor, double* log_weight, std::size_t size) {
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) log_weight[i] += elementary::log(factor[i]);
+}
+
 double dot(const double* weight, const float* label, std::size_t size) {
   double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
@@ -69,6 +74,8 @@ ParticleCloud::ParticleCloud(InstructionSet set, std::size_t threads)
 
 void ParticleCloud::reset(std::size_t size) {
   for (auto* values : {&x_, &y_, &yaw_, &log_weight_}) values->assign(size, 0.0);
+  factor_.resize(size);
+  has_factors_ = false;
   member_.assign(size, 1.0F);
   label_.assign(size, 0.0F);
   weights_.set_equal(size);
@@ -78,6 +85,15 @@ void ParticleCloud::set_pose(std::size_t i, const Pose2& pose) {
   x_[i] = pose.x;
   y_[i] = pose.y;
   yaw_[i] = pose.yaw;
+}
+
+void ParticleCloud::set_log_weight(std::size_t i, double log_weight) {
+  log_weight_[i] = log_weight + weights_.log_sum();
+  factor_[i] = 1.0;
+}
+
+void ParticleCloud::take_in(const double* factor, double* log_weight, std::size_t size) const {
+  run<add_logarithms>(set_, factor, log_weight, size);
 }
 
 PoseBlock ParticleCloud::poses(std::size_t block) {
@@ -163,6 +179,8 @@ void ParticleCloud::select(const std::vector<std::uint32_t>& ancestors) {
   member_.swap(spare_member_);
   label_.swap(spare_label_);
   log_weight_.assign(size, 0.0);
+  factor_.resize(size);
+  has_factors_ = false;
   weights_.set_equal(size);
 }
 

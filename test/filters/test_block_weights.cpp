@@ -17,8 +17,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Whether any particle had weight.
 bool set_all(InstructionSet set, const std::vector<double>& logs, BlockWeights& weights) {
   weights.set_equal(logs.size());
+  const std::vector<double> ones(kBlockSize, 1.0);
   for (std::size_t block = 0; block < blocks_of(logs.size()); ++block) {
-    weights.set(set, block, &logs[block_begin(block)]);
+    weights.set(set, block, &logs[block_begin(block)], ones.data());
   }
   return weights.normalise();
 }

@@ -9,16 +9,16 @@
 namespace multipath_localization {
 
 /// Weights of any number of particles, from logarithms that may lie anywhere. Each block is kept relative to
-/// its heaviest particle, so that one pass over a block does all; blocks are joined in their order, so that
+/// its largest logarithm, so that one pass over a block does all; blocks are joined in their order, so that
 /// the result does not depend on who worked on which.
 class BlockWeights {
  public:
   /// `size` equal weights.
   void set_equal(std::size_t size);
 
-  /// Takes the logarithmic weights of a block, up to a constant that all blocks share. NaN counts as no
-  /// weight. Different blocks may be set at the same time.
-  void set(InstructionSet set, std::size_t block, const double* log_weight);
+  /// Takes the weights of a block, `factor` e^`log_weight`, up to a constant that all blocks share; factors
+  /// are 1..1e3. A logarithm that is NaN counts as no weight. Different blocks may be set at the same time.
+  void set(InstructionSet set, std::size_t block, const double* log_weight, const double* factor);
 
   /// Joins the blocks after all were set: weights then sum to 1, Eq. (34) of [NIS]. When no particle has any
   /// weight all become equal, and the answer is false: the measurement excluded every particle.
@@ -49,14 +49,14 @@ class BlockWeights {
 
  private:
   struct Block {
-    double log_heaviest = 0.0;
+    double log_largest = 0.0;
     double sum = 0.0;
     double sum_of_squares = 0.0;
     double scale = 0.0;
     double base = 0.0;
   };
 
-  void join(double log_heaviest);
+  void join(double log_largest);
 
   std::size_t size_ = 0;
   double log_sum_ = 0.0;
