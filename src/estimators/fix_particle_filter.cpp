@@ -181,9 +181,9 @@ void FixParticleFilter::sample_ring(double radius, const FixSigmas& sigma) {
       standard_normals(particles_.instruction_set(), words, normals);
     }
     // The direction of two normals is uniform.
-    const double rho = radius + sigma.direct * static_cast<double>(normals.third[lane]);
+    const double rho = radius + sigma.direct * static_cast<double>(normals.third()[lane]);
     const Eigen::Vector2d to_ring =
-        of_length(rho, Eigen::Vector2f(normals.first[lane], normals.second[lane]).cast<double>());
+        of_length(rho, Eigen::Vector2f(normals.first()[lane], normals.second()[lane]).cast<double>());
     const auto i = static_cast<std::size_t>((k + offset) * size / count);
     particles_.set_pose(i, {predicted_.x + to_ring.x(), predicted_.y + to_ring.y(), predicted_.yaw});
     // Departs, unless "printed": Eq. (26) has rho in the place of rho - r_hat, which kills the ring once it

@@ -30,9 +30,9 @@ void draw_arcs(const Normals* normals, SteeringMotion::Law law, Arcs* arcs, std:
   const double rate_scale = law.deviation_scale / law.wheelbase;
 #pragma omp simd
   for (std::size_t i = 0; i < size; ++i) {
-    const double v = law.speed + law.sigma_speed * static_cast<double>(normals->first[i]);
+    const double v = law.speed + law.sigma_speed * static_cast<double>(normals->first()[i]);
     const double phi =
-        clamped(law.steering_angle + law.sigma_steering * static_cast<double>(normals->second[i]),
+        clamped(law.steering_angle + law.sigma_steering * static_cast<double>(normals->second()[i]),
                 law.max_steering_angle);
     const double yaw_rate = law.yaw_rate + rate_scale * (v * elementary::tan(phi) - measured_turn);
     arcs->half_turn[i] = 0.5 * yaw_rate * law.duration;
@@ -51,7 +51,7 @@ void follow_arcs(PoseBlock poses, const Normals* normals, SteeringMotion::Law la
     poses.x[i] += chord * c;
     poses.y[i] += chord * s;
     // The noise of Eq. (7) turns the robot but does not bend its arc.
-    const double gamma = yaw_noise * static_cast<double>(normals->third[i]);
+    const double gamma = yaw_noise * static_cast<double>(normals->third()[i]);
     poses.yaw[i] = elementary::wrap(poses.yaw[i] + 2.0 * half_turn + gamma);
   }
 }

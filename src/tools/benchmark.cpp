@@ -64,8 +64,8 @@ struct Stages {
     random_words(set, 1, 0, 0, words);
     standard_normals(set, words, normals);
     for (std::size_t i = 0; i < size; ++i) {
-      const auto n = static_cast<double>(normals.first[i % kBlockSize]);
-      cloud.set_pose(i, {0.3 * n, 0.3 * static_cast<double>(normals.second[i % kBlockSize]), 0.05 * n});
+      const auto n = static_cast<double>(normals.first()[i % kBlockSize]);
+      cloud.set_pose(i, {0.3 * n, 0.3 * static_cast<double>(normals.second()[i % kBlockSize]), 0.05 * n});
     }
     weights.set_equal(size);
     factors.fill(1.0);
