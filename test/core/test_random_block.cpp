@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "instruction_sets.hpp"
 #include "multipath_localization/core/angle.hpp"
@@ -83,6 +84,45 @@ TEST(StandardNormals, HaveTheMomentsOfIndependentNormals) {
   EXPECT_NEAR(mean_over_normals([](double a, double, double c) { return a * c; }), 0.0, bound);
   EXPECT_NEAR(mean_over_normals([](double a, double, double) { return std::abs(a) > 3.0 ? 1.0 : 0.0; }),
               0.0027, bound * std::sqrt(0.0027));
+}
+
+/// The normals of two blocks over two steps, one behind the other.
+std::vector<double> normals_in_a_row(std::uint64_t seed) {
+  std::vector<double> all;
+  for (const std::uint32_t step : {5U, 6U}) {
+    for (const std::uint32_t first : {0U, static_cast<std::uint32_t>(kBlockSize)}) {
+      RandomWords words;
+      Normals normals;
+      random_words(best_instruction_set(), seed, step, first, words);
+      standard_normals(best_instruction_set(), words, normals);
+      all.insert(all.end(), normals.all.begin(), normals.all.end());
+    }
+  }
+  return all;
+}
+
+TEST(StandardNormals, OfAllParticlesBlocksAndStepsAreIndependent) {
+  constexpr std::uint64_t kRuns = 40;
+  constexpr std::size_t kLags = 2560;
+  std::vector<double> products(kLags, 0.0);
+  std::vector<double> products_of_squares(kLags, 0.0);
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+    const std::vector<double> x = normals_in_a_row(seed);
+    count = x.size();
+    for (std::size_t lag = 1; lag < kLags; ++lag) {
+      for (std::size_t i = lag; i < count; ++i) {
+        const double product = x[i] * x[i - lag];
+        products[lag] += product;
+        products_of_squares[lag] += product * product - x[i] * x[i] - x[i - lag] * x[i - lag] + 1.0;
+      }
+    }
+  }
+  for (std::size_t lag = 1; lag < kLags; ++lag) {
+    const double pairs = std::sqrt(static_cast<double>(kRuns * (count - lag)));
+    EXPECT_LT(std::abs(products[lag]), 5.0 * pairs) << lag;
+    EXPECT_LT(std::abs(products_of_squares[lag]), 6.0 * 2.0 * pairs) << lag;
+  }
 }
 
 }  // namespace
