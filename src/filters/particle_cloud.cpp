@@ -20,11 +20,11 @@ struct Probes {
   std::array<double, kProbes> yaw;
 };
 
-int count_within(const Probes* probes, PoseNeighbourhood within) {
-  int count = 0;
+double count_within(const Probes* probes, PoseNeighbourhood within) {
+  double count = 0.0;
 #pragma omp simd reduction(+ : count)
   for (std::size_t i = 0; i < kProbes; ++i) {
-    count += static_cast<int>(membership(within, probes->x[i], probes->y[i], probes->yaw[i]));
+    count += membership(within, probes->x[i], probes->y[i], probes->yaw[i]);
   }
   return count;
 }
@@ -140,15 +140,15 @@ PoseNeighbourhood ParticleCloud::dominant_neighbourhood(double distance, double 
     probes.yaw[k] = yaw_[drawn[k]];
   }
   PoseNeighbourhood dominant;
-  int most = -1;
+  double most = -1.0;
   for (std::size_t c = 0; c < kCandidates; ++c) {
     const std::size_t candidate = drawn[(2 * c + 1) * kProbes / (2 * kCandidates)];
     const PoseNeighbourhood within{pose(candidate), distance, turn};
-    const int count = run<count_within>(set_, &probes, within);
+    const double count = run<count_within>(set_, &probes, within);
     if (count <= most) continue;
     dominant = within;
     most = count;
-    if (most == static_cast<int>(kProbes)) break;
+    if (most == static_cast<double>(kProbes)) break;
   }
   return dominant;
 }

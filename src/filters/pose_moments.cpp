@@ -15,15 +15,17 @@ void mark(PoseBlock poses, PoseNeighbourhood within, float* member) {
   }
 }
 
-/// Zero for others. Gives how many are members.
-float weights_of_members(const double* weight, const float* member, double* of_members, std::size_t size) {
+float count(const float* member, std::size_t size) {
   float members = 0.0F;
 #pragma omp simd reduction(+ : members)
-  for (std::size_t i = 0; i < size; ++i) {
-    of_members[i] = weight[i] * static_cast<double>(member[i]);
-    members += member[i];
-  }
+  for (std::size_t i = 0; i < size; ++i) members += member[i];
   return members;
+}
+
+/// Zero for others.
+void weights_of_members(const double* weight, const float* member, double* of_members, std::size_t size) {
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) of_members[i] = weight[i] * static_cast<double>(member[i]);
 }
 
 struct PositionSums {
@@ -111,12 +113,15 @@ void PoseSums::add(double scale, const PoseSums& other) {
 
 PoseSums pose_sums(InstructionSet set, const PoseBlock& poses, const double* weight, const float* member,
                    const Pose2& reference) {
-  BlockValues of_members;
-  const float members = run<weights_of_members>(set, weight, member, of_members.data(), poses.size);
-  const PositionSums p = run<position_sums>(set, poses, of_members.data(), reference);
-  const bool no_others = members == static_cast<float>(poses.size);
-  const PositionSums all = no_others ? p : run<position_sums>(set, poses, weight, reference);
-  const HeadingSums h = run<heading_sums>(set, poses, of_members.data(), reference);
+  const PositionSums all = run<position_sums>(set, poses, weight, reference);
+  PositionSums p = all;
+  BlockValues members_alone;
+  if (run<count>(set, member, poses.size) < static_cast<float>(poses.size)) {
+    run<weights_of_members>(set, weight, member, members_alone.data(), poses.size);
+    weight = members_alone.data();
+    p = run<position_sums>(set, poses, weight, reference);
+  }
+  const HeadingSums h = run<heading_sums>(set, poses, weight, reference);
   return {{all.w, all.x, all.y, all.xx, all.xy, all.yy},
           {p.w, p.x, p.y, p.xx, p.xy, p.yy, h.d, p.w - 2.0 * h.ss, 2.0 * h.sc, h.xd, h.yd, h.dd}};
 }
