@@ -69,12 +69,14 @@ void count_up(std::size_t length, double* weight, double* cumulated) {
 
 void BlockWeights::set_equal(std::size_t size) {
   size_ = size;
+  equal_ = true;
   blocks_.assign(blocks_of(size), {});
   relative_.resize(blocks_.size() * kBlockSize);
   cumulated_.resize(relative_.size());
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     const std::size_t length = block_length(block, size);
-    count_up(length, &relative_[block_begin(block)], &cumulated_[block_begin(block)]);
+    if (kept_at(block) == block_begin(block))
+      count_up(length, &relative_[block_begin(block)], &cumulated_[block_begin(block)]);
     blocks_[block].sum = blocks_[block].sum_of_squares = static_cast<double>(length);
   }
   if (size > 0) join(0.0);
@@ -91,6 +93,7 @@ void BlockWeights::set(InstructionSet set, std::size_t block, const double* log_
 }
 
 bool BlockWeights::normalise() {
+  equal_ = false;
   double largest = -kInfinity;
   for (const Block& block : blocks_) largest = std::max(largest, block.log_largest);
   if (!std::isfinite(largest)) {

@@ -26,7 +26,7 @@ class BlockWeights {
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] double operator[](std::size_t i) const {
-    return relative_[i] * blocks_[i / kBlockSize].scale;
+    return relative(i / kBlockSize)[i % kBlockSize] * blocks_[i / kBlockSize].scale;
   }
 
   /// log of the sum of the weights as given: subtracting it from their logarithms normalises these.
@@ -36,12 +36,12 @@ class BlockWeights {
   [[nodiscard]] double effective_sample_size() const { return effective_sample_size_; }
 
   /// Weights of a block up to the factor `scale(block)`; zeros fill the last block up.
-  [[nodiscard]] const double* relative(std::size_t block) const { return &relative_[block_begin(block)]; }
+  [[nodiscard]] const double* relative(std::size_t block) const { return &relative_[kept_at(block)]; }
   [[nodiscard]] double scale(std::size_t block) const { return blocks_[block].scale; }
 
   /// Sum of the weights of a block up to each of its particles, up to the same factor; and of all blocks
   /// before.
-  [[nodiscard]] const double* cumulated(std::size_t block) const { return &cumulated_[block_begin(block)]; }
+  [[nodiscard]] const double* cumulated(std::size_t block) const { return &cumulated_[kept_at(block)]; }
   [[nodiscard]] double base(std::size_t block) const { return blocks_[block].base; }
 
   /// Sum of all weights as the cumulated sums give it: 1 but for rounding.
@@ -58,7 +58,13 @@ class BlockWeights {
 
   void join(double log_largest);
 
+  /// While all weights are equal, one block stands for all that are full.
+  [[nodiscard]] std::size_t kept_at(std::size_t block) const {
+    return equal_ && block + 1 < blocks_.size() ? 0 : block_begin(block);
+  }
+
   std::size_t size_ = 0;
+  bool equal_ = true;
   double log_sum_ = 0.0;
   double effective_sample_size_ = 1.0;
   std::vector<double> relative_;
