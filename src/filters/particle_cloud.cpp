@@ -20,11 +20,11 @@ struct Probes {
   std::array<double, kProbes> yaw;
 };
 
-double count_within(const Probes* probes, PoseNeighbourhood within) {
-  double count = 0.0;
+int count_within(const Probes* probes, PoseNeighbourhood within) {
+  int count = 0;
 #pragma omp simd reduction(+ : count)
   for (std::size_t i = 0; i < kProbes; ++i) {
-    count += membership(within, probes->x[i], probes->y[i], probes->yaw[i]);
+    count += static_cast<int>(membership(within, probes->x[i], probes->y[i], probes->yaw[i]));
   }
   return count;
 }
@@ -140,15 +140,15 @@ PoseNeighbourhood ParticleCloud::dominant_neighbourhood(double distance, double 
     probes.yaw[k] = yaw_[drawn[k]];
   }
   PoseNeighbourhood dominant;
-  double most = -1.0;
+  int most = -1;
   for (std::size_t c = 0; c < kCandidates; ++c) {
     const std::size_t candidate = drawn[(2 * c + 1) * kProbes / (2 * kCandidates)];
     const PoseNeighbourhood within{pose(candidate), distance, turn};
-    const double count = run<count_within>(set_, &probes, within);
+    const int count = run<count_within>(set_, &probes, within);
     if (count <= most) continue;
     dominant = within;
     most = count;
-    if (most == static_cast<double>(kProbes)) break;
+    if (most == static_cast<int>(kProbes)) break;
   }
   return dominant;
 }
