@@ -34,7 +34,7 @@ int count_within(const Probes* probes, PoseNeighbourhood within) {
 std::size_t first_above(const double* cumulated, double target) {
   std::size_t below = 0;
   for (std::size_t step = kBlockSize / 2; step > 0; step /= 2) {
-    below += cumulated[below + step - 1] <= target ? step : 0;
+    below += step * static_cast<std::size_t>(cumulated[below + step - 1] <= target);
   }
   return below;
 }
@@ -42,15 +42,18 @@ std::size_t first_above(const double* cumulated, double target) {
 /// Where the cumulated weights reach (k + 1/2) / kProbes of their sum, k = 0 .. kProbes - 1.
 std::array<std::size_t, kProbes> evenly_drawn(const BlockWeights& weights) {
   std::array<std::size_t, kProbes> drawn{};
+  const double spacing = weights.total() / kProbes;
+  const auto target = [&](std::size_t k) { return (static_cast<double>(k) + 0.5) * spacing; };
   const std::size_t blocks = blocks_of(weights.size());
-  std::size_t block = 0;
-  for (std::size_t k = 0; k < kProbes; ++k) {
-    const double target = (static_cast<double>(k) + 0.5) / kProbes * weights.total();
-    while (block + 1 < blocks && weights.base(block + 1) <= target) ++block;
+  std::size_t k = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const std::size_t last = block_length(block, weights.size()) - 1;
     const double* cumulated = weights.cumulated(block);
-    const std::size_t length = block_length(block, weights.size());
-    const double within_block = (target - weights.base(block)) / weights.scale(block);
-    drawn[k] = block_begin(block) + std::min(first_above(cumulated, within_block), length - 1);
+    const double base = weights.base(block);
+    const double per_weight = 1.0 / weights.scale(block);
+    for (; k < kProbes && (block + 1 == blocks || target(k) < weights.base(block + 1)); ++k) {
+      drawn[k] = block_begin(block) + std::min(first_above(cumulated, (target(k) - base) * per_weight), last);
+    }
   }
   return drawn;
 }
