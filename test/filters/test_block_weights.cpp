@@ -81,6 +81,26 @@ TEST_P(BlockWeightsOnEachSet, NanIsNoWeightAndNoneAtAllIsEqualWeights) {
   }
 }
 
+TEST(BlockWeights, AreEqualInEveryBlockAgainWhateverTheyWere) {
+  BlockWeights weights;
+  for (const std::size_t size : {700U, 256U, 1000U}) {
+    std::vector<double> logs(size);
+    for (std::size_t i = 0; i < size; ++i) logs[i] = -0.01 * static_cast<double>(i);
+    set_all(best_instruction_set(), logs, weights);
+    EXPECT_GT(weights[0], weights[size - 1]);
+    weights.set_equal(size);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::size_t block = i / kBlockSize;
+      sum += weights[i];
+      EXPECT_NEAR(weights[i], 1.0 / static_cast<double>(size), 1e-15);
+      EXPECT_NEAR(weights.base(block) + weights.scale(block) * weights.cumulated(block)[i % kBlockSize], sum,
+                  1e-12);
+    }
+    EXPECT_NEAR(weights.total(), 1.0, 1e-12);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, BlockWeightsOnEachSet,
                          ::testing::Values(InstructionSet::kPlain, best_instruction_set()));
 

@@ -58,7 +58,7 @@ class BlockWeights {
 
   void join(double log_largest);
 
-  /// While all weights are equal, one block stands for all that are full.
+  /// Where the weights of a block are: while all are equal, the first stands for every block that is full.
   [[nodiscard]] std::size_t kept_at(std::size_t block) const {
     return equal_ && block + 1 < blocks_.size() ? 0 : block_begin(block);
   }
