@@ -13,7 +13,7 @@ void threefry_block(std::uint64_t seed, std::uint32_t step, std::uint32_t first,
   const auto schedule =
       threefry::schedule({static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U), 0, 0});
 #pragma omp simd
-  for (std::size_t i = 0; i < kBlockSize; ++i) {
+  for (std::size_t i = 0; i < kBlockStreams; ++i) {
     std::uint32_t x0 = first + static_cast<std::uint32_t>(i) + schedule[0];
     std::uint32_t x1 = step + schedule[1];
     std::uint32_t x2 = schedule[2];
@@ -27,10 +27,9 @@ void threefry_block(std::uint64_t seed, std::uint32_t step, std::uint32_t first,
 }
 
 /// Box and Muller's pair: the radius by one uniform number in (0, 1], the angle by another in [-pi, pi].
-void box_muller(const std::uint32_t* radius, const std::uint32_t* angle, float* a, float* b,
-                std::size_t size) {
+void box_muller(const std::uint32_t* radius, const std::uint32_t* angle, float* a, float* b) {
 #pragma omp simd
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < kBlockStreams; ++i) {
     const float u = static_cast<float>(static_cast<std::int32_t>(radius[i] >> 1U)) * 0x1p-31F + 0x1p-32F;
     const float r = std::sqrt(-2.0F * elementary::single::log(u));
     const auto [s, c] =
@@ -48,11 +47,10 @@ void random_words(InstructionSet set, std::uint64_t seed, std::uint32_t step, st
 }
 
 void standard_normals(InstructionSet set, const RandomWords& words, Normals& normals) {
-  constexpr std::size_t kHalf = kBlockSize / 2;
-  run<box_muller>(set, words.word[0].data(), words.word[1].data(), normals.first.data(),
-                  normals.second.data(), kBlockSize);
-  run<box_muller>(set, words.word[2].data(), words.word[3].data(), normals.third.data(),
-                  normals.third.data() + kHalf, kHalf);
+  for (std::size_t pair = 0; pair < 2; ++pair) {
+    float* a = normals.all.data() + 2 * pair * kBlockStreams;
+    run<box_muller>(set, words.word[2 * pair].data(), words.word[2 * pair + 1].data(), a, a + kBlockStreams);
+  }
 }
 
 }  // namespace multipath_localization

@@ -130,8 +130,8 @@ Innovation FixParticleFilter::update(const Measurement& z) {
       bias_radius_.update(fix->position, predicted_ * fix->antenna_in_base, sigma.shadow, now_ - last_fix_);
   if (estimate_.aligned && parameters_.ring.ring_fraction > 0.0) sample_ring(radius, sigma);
   const GnssLikelihood likelihood = likelihood_of(*fix, radius);
-  particles_.weigh([&](const PoseBlock& poses, double* log_weight, float* shadow_share) {
-    likelihood.add_to(particles_.instruction_set(), poses, log_weight, shadow_share);
+  particles_.weigh([&](const PoseBlock& poses, double* log_weight, double* factor, float* shadow_share) {
+    likelihood.add_to(particles_.instruction_set(), poses, log_weight, factor, shadow_share);
   });
   cluster_reach_ = std::max(kLeastClusterReach, kClusterSigmas * sigma.direct);
   take_stock();
@@ -181,9 +181,9 @@ void FixParticleFilter::sample_ring(double radius, const FixSigmas& sigma) {
       standard_normals(particles_.instruction_set(), words, normals);
     }
     // The direction of two normals is uniform.
-    const double rho = radius + sigma.direct * static_cast<double>(normals.third[lane]);
+    const double rho = radius + sigma.direct * static_cast<double>(normals.third()[lane]);
     const Eigen::Vector2d to_ring =
-        of_length(rho, Eigen::Vector2f(normals.first[lane], normals.second[lane]).cast<double>());
+        of_length(rho, Eigen::Vector2f(normals.first()[lane], normals.second()[lane]).cast<double>());
     const auto i = static_cast<std::size_t>((k + offset) * size / count);
     particles_.set_pose(i, {predicted_.x + to_ring.x(), predicted_.y + to_ring.y(), predicted_.yaw});
     // Departs, unless "printed": Eq. (26) has rho in the place of rho - r_hat, which kills the ring once it

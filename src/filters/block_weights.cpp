@@ -21,23 +21,17 @@ double largest_of(const double* values, std::size_t size) {
   return largest;
 }
 
-struct Sums {
-  double first;
-  double second;
-};
-
-/// Weights relative to the heaviest; their sum and that of their squares.
-Sums exponentiate(const double* log_weight, double log_heaviest, double* weight, std::size_t size) {
-  double sum = 0.0;
+/// Weights relative to the largest logarithm; gives the sum of their squares.
+double exponentiate(const double* log_weight, const double* factor, double log_largest, double* weight,
+                    std::size_t size) {
   double sum_of_squares = 0.0;
-#pragma omp simd reduction(+ : sum, sum_of_squares)
+#pragma omp simd reduction(+ : sum_of_squares)
   for (std::size_t i = 0; i < size; ++i) {
-    const double w = elementary::exp(log_weight[i] - log_heaviest);
+    const double w = factor[i] * elementary::exp(log_weight[i] - log_largest);
     weight[i] = w;
-    sum += w;
     sum_of_squares += w * w;
   }
-  return {sum, sum_of_squares};
+  return sum_of_squares;
 }
 
 /// Prefix sums of a block: of each of eight stretches first, side by side, then each raised by those before
@@ -75,47 +69,50 @@ void count_up(std::size_t length, double* weight, double* cumulated) {
 
 void BlockWeights::set_equal(std::size_t size) {
   size_ = size;
+  equal_ = true;
   blocks_.assign(blocks_of(size), {});
   relative_.resize(blocks_.size() * kBlockSize);
   cumulated_.resize(relative_.size());
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     const std::size_t length = block_length(block, size);
-    count_up(length, &relative_[block_begin(block)], &cumulated_[block_begin(block)]);
+    if (kept_at(block) == block_begin(block))
+      count_up(length, &relative_[block_begin(block)], &cumulated_[block_begin(block)]);
     blocks_[block].sum = blocks_[block].sum_of_squares = static_cast<double>(length);
   }
   if (size > 0) join(0.0);
 }
 
-void BlockWeights::set(InstructionSet set, std::size_t block, const double* log_weight) {
+void BlockWeights::set(InstructionSet set, std::size_t block, const double* log_weight,
+                       const double* factor) {
   const std::size_t length = block_length(block, size_);
   double* weight = &relative_[block_begin(block)];
   Block& result = blocks_[block];
-  result.log_heaviest = run<largest_of>(set, log_weight, length);
-  const Sums sums = run<exponentiate>(set, log_weight, result.log_heaviest, weight, length);
-  result.sum_of_squares = sums.second;
+  result.log_largest = run<largest_of>(set, log_weight, length);
+  result.sum_of_squares = run<exponentiate>(set, log_weight, factor, result.log_largest, weight, length);
   result.sum = run<cumulate>(set, weight, &cumulated_[block_begin(block)]);
 }
 
 bool BlockWeights::normalise() {
-  double heaviest = -kInfinity;
-  for (const Block& block : blocks_) heaviest = std::max(heaviest, block.log_heaviest);
-  if (!std::isfinite(heaviest)) {
+  equal_ = false;
+  double largest = -kInfinity;
+  for (const Block& block : blocks_) largest = std::max(largest, block.log_largest);
+  if (!std::isfinite(largest)) {
     set_equal(size_);
     return false;
   }
-  join(heaviest);
+  join(largest);
   return true;
 }
 
-void BlockWeights::join(double log_heaviest) {
+void BlockWeights::join(double log_largest) {
   double sum = 0.0;
   double sum_of_squares = 0.0;
   for (Block& block : blocks_) {
-    block.scale = std::exp(block.log_heaviest - log_heaviest);
+    block.scale = std::exp(block.log_largest - log_largest);
     sum += block.scale * block.sum;
     sum_of_squares += block.scale * block.scale * block.sum_of_squares;
   }
-  log_sum_ = log_heaviest + std::log(sum);
+  log_sum_ = log_largest + std::log(sum);
   effective_sample_size_ = sum * sum / sum_of_squares;
   double base = 0.0;
   for (Block& block : blocks_) {

@@ -34,7 +34,7 @@ int count_within(const Probes* probes, PoseNeighbourhood within) {
 std::size_t first_above(const double* cumulated, double target) {
   std::size_t below = 0;
   for (std::size_t step = kBlockSize / 2; step > 0; step /= 2) {
-    below += cumulated[below + step - 1] <= target ? step : 0;
+    below += step * static_cast<std::size_t>(cumulated[below + step - 1] <= target);
   }
   return below;
 }
@@ -42,17 +42,25 @@ std::size_t first_above(const double* cumulated, double target) {
 /// Where the cumulated weights reach (k + 1/2) / kProbes of their sum, k = 0 .. kProbes - 1.
 std::array<std::size_t, kProbes> evenly_drawn(const BlockWeights& weights) {
   std::array<std::size_t, kProbes> drawn{};
+  const double spacing = weights.total() / kProbes;
+  const auto target = [&](std::size_t k) { return (static_cast<double>(k) + 0.5) * spacing; };
   const std::size_t blocks = blocks_of(weights.size());
-  std::size_t block = 0;
-  for (std::size_t k = 0; k < kProbes; ++k) {
-    const double target = (static_cast<double>(k) + 0.5) / kProbes * weights.total();
-    while (block + 1 < blocks && weights.base(block + 1) <= target) ++block;
+  std::size_t k = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const std::size_t last = block_length(block, weights.size()) - 1;
     const double* cumulated = weights.cumulated(block);
-    const std::size_t length = block_length(block, weights.size());
-    const double within_block = (target - weights.base(block)) / weights.scale(block);
-    drawn[k] = block_begin(block) + std::min(first_above(cumulated, within_block), length - 1);
+    const double base = weights.base(block);
+    const double per_weight = 1.0 / weights.scale(block);
+    for (; k < kProbes && (block + 1 == blocks || target(k) < weights.base(block + 1)); ++k) {
+      drawn[k] = block_begin(block) + std::min(first_above(cumulated, (target(k) - base) * per_weight), last);
+    }
   }
   return drawn;
+}
+
+void add_logarithms(const double* factor, double* log_weight, std::size_t size) {
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) log_weight[i] += elementary::log(factor[i]);
 }
 
 double dot(const double* weight, const float* label, std::size_t size) {
@@ -69,6 +77,8 @@ ParticleCloud::ParticleCloud(InstructionSet set, std::size_t threads)
 
 void ParticleCloud::reset(std::size_t size) {
   for (auto* values : {&x_, &y_, &yaw_, &log_weight_}) values->assign(size, 0.0);
+  factor_.resize(size);
+  has_factors_ = false;
   member_.assign(size, 1.0F);
   label_.assign(size, 0.0F);
   weights_.set_equal(size);
@@ -78,6 +88,15 @@ void ParticleCloud::set_pose(std::size_t i, const Pose2& pose) {
   x_[i] = pose.x;
   y_[i] = pose.y;
   yaw_[i] = pose.yaw;
+}
+
+void ParticleCloud::set_log_weight(std::size_t i, double log_weight) {
+  log_weight_[i] = log_weight + weights_.log_sum();
+  factor_[i] = 1.0;
+}
+
+void ParticleCloud::take_in(const double* factor, double* log_weight, std::size_t size) const {
+  run<add_logarithms>(set_, factor, log_weight, size);
 }
 
 PoseBlock ParticleCloud::poses(std::size_t block) {
@@ -163,6 +182,8 @@ void ParticleCloud::select(const std::vector<std::uint32_t>& ancestors) {
   member_.swap(spare_member_);
   label_.swap(spare_label_);
   log_weight_.assign(size, 0.0);
+  factor_.resize(size);
+  has_factors_ = false;
   weights_.set_equal(size);
 }
 

@@ -15,15 +15,17 @@ void mark(PoseBlock poses, PoseNeighbourhood within, float* member) {
   }
 }
 
-/// Zero for others. Gives how many are members.
-float weights_of_members(const double* weight, const float* member, double* of_members, std::size_t size) {
+float count(const float* member, std::size_t size) {
   float members = 0.0F;
 #pragma omp simd reduction(+ : members)
-  for (std::size_t i = 0; i < size; ++i) {
-    of_members[i] = weight[i] * static_cast<double>(member[i]);
-    members += member[i];
-  }
+  for (std::size_t i = 0; i < size; ++i) members += member[i];
   return members;
+}
+
+/// Zero for others.
+void weights_of_members(const double* weight, const float* member, double* of_members, std::size_t size) {
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) of_members[i] = weight[i] * static_cast<double>(member[i]);
 }
 
 struct PositionSums {
@@ -53,30 +55,32 @@ PositionSums position_sums(PoseBlock poses, const double* weight, Pose2 referenc
   return {sw, sx, sy, sxx, sxy, syy};
 }
 
+/// With s and c the sine and cosine of d / 2: those of d are 2 s c and 1 - 2 s s.
 struct HeadingSums {
-  double d, c, s, xd, yd, dd;
+  double d, sc, ss, xd, yd, dd;
 };
 
 HeadingSums heading_sums(PoseBlock poses, const double* weight, Pose2 reference) {
   double sd = 0.0;
-  double sc = 0.0;
-  double ss = 0.0;
+  double ssc = 0.0;
+  double sss = 0.0;
   double sxd = 0.0;
   double syd = 0.0;
   double sdd = 0.0;
-#pragma omp simd reduction(+ : sd, sc, ss, sxd, syd, sdd)
+#pragma omp simd reduction(+ : sd, ssc, sss, sxd, syd, sdd)
   for (std::size_t i = 0; i < poses.size; ++i) {
     const double d = elementary::wrap(poses.yaw[i] - reference.yaw);
-    const auto [s, c] = elementary::sincos_pi(d * (1.0 / kPi));
+    const auto [s, c] = elementary::sincos_quarter(0.5 * d);
     const double wd = weight[i] * d;
+    const double ws = weight[i] * s;
     sd += wd;
-    sc += weight[i] * c;
-    ss += weight[i] * s;
+    ssc += ws * c;
+    sss += ws * s;
     sxd += wd * (poses.x[i] - reference.x);
     syd += wd * (poses.y[i] - reference.y);
     sdd += wd * d;
   }
-  return {sd, sc, ss, sxd, syd, sdd};
+  return {sd, ssc, sss, sxd, syd, sdd};
 }
 
 }  // namespace
@@ -109,14 +113,17 @@ void PoseSums::add(double scale, const PoseSums& other) {
 
 PoseSums pose_sums(InstructionSet set, const PoseBlock& poses, const double* weight, const float* member,
                    const Pose2& reference) {
-  BlockValues of_members;
-  const float members = run<weights_of_members>(set, weight, member, of_members.data(), poses.size);
-  const PositionSums p = run<position_sums>(set, poses, of_members.data(), reference);
-  const bool no_others = members == static_cast<float>(poses.size);
-  const PositionSums all = no_others ? p : run<position_sums>(set, poses, weight, reference);
-  const HeadingSums h = run<heading_sums>(set, poses, of_members.data(), reference);
+  const PositionSums all = run<position_sums>(set, poses, weight, reference);
+  PositionSums p = all;
+  BlockValues members_alone;
+  if (run<count>(set, member, poses.size) < static_cast<float>(poses.size)) {
+    run<weights_of_members>(set, weight, member, members_alone.data(), poses.size);
+    weight = members_alone.data();
+    p = run<position_sums>(set, poses, weight, reference);
+  }
+  const HeadingSums h = run<heading_sums>(set, poses, weight, reference);
   return {{all.w, all.x, all.y, all.xx, all.xy, all.yy},
-          {p.w, p.x, p.y, p.xx, p.xy, p.yy, h.d, h.c, h.s, h.xd, h.yd, h.dd}};
+          {p.w, p.x, p.y, p.xx, p.xy, p.yy, h.d, p.w - 2.0 * h.ss, 2.0 * h.sc, h.xd, h.yd, h.dd}};
 }
 
 PoseMoments member_moments(const PoseSums& sums, const Pose2& reference) {

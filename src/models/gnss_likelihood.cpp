@@ -89,9 +89,9 @@ struct Terms {
   }
 };
 
-/// log of the sum of `Count` terms, the largest taken out first.
+/// The sum of `Count` terms, the largest taken out first.
 template <std::size_t Count>
-void add_sum(const Terms* terms, double* log_weight, float* shadow_share, std::size_t size) {
+void add_sum(const Terms* terms, double* log_weight, double* factor, float* shadow_share, std::size_t size) {
 #pragma omp simd
   for (std::size_t i = 0; i < size; ++i) {
     double largest = terms->term[0][i];
@@ -105,8 +105,9 @@ void add_sum(const Terms* terms, double* log_weight, float* shadow_share, std::s
       sum += part;
       shadow += terms->shadow[k] * part;
     }
-    log_weight[i] += largest + elementary::log(sum);
-    shadow_share[i] = static_cast<float>(shadow / sum);
+    log_weight[i] += largest;
+    factor[i] = sum;
+    shadow_share[i] = static_cast<float>(shadow) / static_cast<float>(sum);
   }
 }
 
@@ -138,7 +139,7 @@ GnssLikelihood::GnssLikelihood(const GnssLikelihoodParameters& parameters, const
       antenna_in_base_(fix.antenna_in_base),
       heading_(heading) {}
 
-void GnssLikelihood::add_to(InstructionSet set, const PoseBlock& poses, double* log_weight,
+void GnssLikelihood::add_to(InstructionSet set, const PoseBlock& poses, double* log_weight, double* factor,
                             float* shadow_share) const {
   AntennaErrors error;
   run<antenna_errors>(set, poses, fix_.x(), fix_.y(), &error);
@@ -163,10 +164,10 @@ void GnssLikelihood::add_to(InstructionSet set, const PoseBlock& poses, double* 
   }
   const Terms* all = &terms;
   switch (terms.count) {
-    case 1: return run<add_sum<1>>(set, all, log_weight, shadow_share, poses.size);
-    case 2: return run<add_sum<2>>(set, all, log_weight, shadow_share, poses.size);
-    case 3: return run<add_sum<3>>(set, all, log_weight, shadow_share, poses.size);
-    default: return run<add_sum<4>>(set, all, log_weight, shadow_share, poses.size);
+    case 1: return run<add_sum<1>>(set, all, log_weight, factor, shadow_share, poses.size);
+    case 2: return run<add_sum<2>>(set, all, log_weight, factor, shadow_share, poses.size);
+    case 3: return run<add_sum<3>>(set, all, log_weight, factor, shadow_share, poses.size);
+    default: return run<add_sum<4>>(set, all, log_weight, factor, shadow_share, poses.size);
   }
 }
 

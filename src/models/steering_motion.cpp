@@ -18,26 +18,40 @@ double clamped(double x, double limit) {
   return below > -limit ? below : -limit;
 }
 
-/// Eqs. (3)-(8) of [NIS].
-void steer(PoseBlock poses, const Normals* normals, SteeringMotion::Law law) {
+/// What each particle does within the increment.
+struct Arcs {
+  BlockValues half_turn;  ///< [rad]
+  BlockValues speed;      ///< [m/s]
+};
+
+/// Eqs. (4)-(7) of [NIS].
+void draw_arcs(const Normals* normals, SteeringMotion::Law law, Arcs* arcs, std::size_t size) {
   const double measured_turn = law.speed * std::tan(law.steering_angle);
   const double rate_scale = law.deviation_scale / law.wheelbase;
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) {
+    const double v = law.speed + law.sigma_speed * static_cast<double>(normals->first()[i]);
+    const double phi =
+        clamped(law.steering_angle + law.sigma_steering * static_cast<double>(normals->second()[i]),
+                law.max_steering_angle);
+    const double yaw_rate = law.yaw_rate + rate_scale * (v * elementary::tan(phi) - measured_turn);
+    arcs->half_turn[i] = 0.5 * yaw_rate * law.duration;
+    arcs->speed[i] = law.speed + law.deviation_scale * (v - law.speed);
+  }
+}
+
+/// Eqs. (3), (8) of [NIS].
+void follow_arcs(PoseBlock poses, const Normals* normals, SteeringMotion::Law law, const Arcs* arcs) {
   const double yaw_noise = law.deviation_scale * law.sigma_yaw_rate * law.duration;
 #pragma omp simd
   for (std::size_t i = 0; i < poses.size; ++i) {
-    const double v = law.speed + law.sigma_speed * static_cast<double>(normals->first[i]);
-    const double phi =
-        clamped(law.steering_angle + law.sigma_steering * static_cast<double>(normals->second[i]),
-                law.max_steering_angle);
-    const double speed = law.speed + law.deviation_scale * (v - law.speed);
-    const double yaw_rate = law.yaw_rate + rate_scale * (v * elementary::tan(phi) - measured_turn);
-    const double half_turn = 0.5 * yaw_rate * law.duration;
-    const double chord = speed * law.duration * elementary::sinc(clamped(half_turn, kPi));
+    const double half_turn = arcs->half_turn[i];
+    const double chord = arcs->speed[i] * law.duration * elementary::sinc(clamped(half_turn, kPi));
     const auto [s, c] = elementary::sincos_pi((poses.yaw[i] + half_turn) * (1.0 / kPi));
     poses.x[i] += chord * c;
     poses.y[i] += chord * s;
     // The noise of Eq. (7) turns the robot but does not bend its arc.
-    const double gamma = yaw_noise * static_cast<double>(normals->third[i]);
+    const double gamma = yaw_noise * static_cast<double>(normals->third()[i]);
     poses.yaw[i] = elementary::wrap(poses.yaw[i] + 2.0 * half_turn + gamma);
   }
 }
@@ -85,7 +99,10 @@ SteeringMotion::SteeringMotion(const OdometryIncrement& u, const SteeringNoisePa
 }
 
 void SteeringMotion::move(InstructionSet set, const PoseBlock& poses, const Normals& normals) const {
-  if (!standing_) run<steer>(set, poses, &normals, law_);
+  if (standing_) return;
+  Arcs arcs;
+  run<draw_arcs>(set, &normals, law_, &arcs, poses.size);
+  run<follow_arcs>(set, poses, &normals, law_, static_cast<const Arcs*>(&arcs));
 }
 
 }  // namespace multipath_localization

@@ -57,16 +57,18 @@ struct Stages {
   std::vector<std::uint32_t> ancestors;
   BlockWeights weights;
   BlockValues logs{};
+  BlockValues factors{};
 
   explicit Stages(std::size_t size) {
     cloud.reset(size);
     random_words(set, 1, 0, 0, words);
     standard_normals(set, words, normals);
     for (std::size_t i = 0; i < size; ++i) {
-      const auto n = static_cast<double>(normals.first[i % kBlockSize]);
-      cloud.set_pose(i, {0.3 * n, 0.3 * static_cast<double>(normals.second[i % kBlockSize]), 0.05 * n});
+      const auto n = static_cast<double>(normals.first()[i % kBlockSize]);
+      cloud.set_pose(i, {0.3 * n, 0.3 * static_cast<double>(normals.second()[i % kBlockSize]), 0.05 * n});
     }
     weights.set_equal(size);
+    factors.fill(1.0);
     systematic_resampling(set, cloud.weights(), size, 0.5, ancestors);
   }
 
@@ -94,13 +96,13 @@ const std::vector<std::pair<std::string, Stage>>& stages() {
        }},
       {"likelihood + weights",
        [](Stages& s) {
-         s.cloud.weigh([&](const PoseBlock& poses, double* log_weight, float* share) {
-           s.likelihood.add_to(s.set, poses, log_weight, share);
+         s.cloud.weigh([&](const PoseBlock& poses, double* log_weight, double* factor, float* share) {
+           s.likelihood.add_to(s.set, poses, log_weight, factor, share);
          });
        }},
       {"weights alone",
        [](Stages& s) {
-         s.each_block([&](std::size_t b) { s.weights.set(s.set, b, s.logs.data()); });
+         s.each_block([&](std::size_t b) { s.weights.set(s.set, b, s.logs.data(), s.factors.data()); });
          s.weights.normalise();
        }},
       {"dominant cluster",

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "instruction_sets.hpp"
 #include "multipath_localization/core/angle.hpp"
@@ -18,7 +19,7 @@ TEST(RandomWords, AreThoseOfTheStreamOfEachParticle) {
   for (const InstructionSet set : instruction_sets()) {
     RandomWords words;
     random_words(set, kSeed, 7, 512, words);
-    for (std::uint32_t i = 0; i < kBlockSize; ++i) {
+    for (std::uint32_t i = 0; i < kBlockStreams; ++i) {
       RandomStream stream(kSeed, 7, 512 + i);
       for (const auto& word : words.word) ASSERT_EQ(word[i], stream.word());
     }
@@ -44,15 +45,14 @@ TEST(StandardNormals, AreBoxMullersToSinglePrecision) {
     words.word[0][1] = 0;            // the largest radius
     words.word[0][2] = 0xFFFFFFFFU;  // the smallest
     standard_normals(set, words, normals);
-    for (std::size_t i = 0; i < kBlockSize; ++i) {
-      const auto [a, b] = box_muller(words.word[0][i], words.word[1][i]);
-      EXPECT_NEAR(normals.first[i], a, i == 2 ? 4e-4 : 2e-6);  // 24 bits leave little of a radius near 0
-      EXPECT_NEAR(normals.second[i], b, i == 2 ? 4e-4 : 2e-6);
-    }
-    for (std::size_t i = 0; i < kBlockSize / 2; ++i) {
-      const auto [a, b] = box_muller(words.word[2][i], words.word[3][i]);
-      EXPECT_NEAR(normals.third[i], a, 2e-6);
-      EXPECT_NEAR(normals.third[i + kBlockSize / 2], b, 2e-6);
+    for (std::size_t i = 0; i < 2 * kBlockStreams; ++i) {
+      const std::size_t pair = i / kBlockStreams;
+      const std::size_t stream = i % kBlockStreams;
+      const auto [a, b] = box_muller(words.word[2 * pair][stream], words.word[2 * pair + 1][stream]);
+      const float* normal = &normals.all[2 * pair * kBlockStreams + stream];
+      const double bound = i == 2 ? 4e-4 : 2e-6;  // 24 bits leave little of a radius near 0
+      EXPECT_NEAR(normal[0], a, bound);
+      EXPECT_NEAR(normal[kBlockStreams], b, bound);
     }
   }
 }
@@ -66,7 +66,7 @@ double mean_over_normals(const std::function<double(double, double, double)>& f)
     random_words(best_instruction_set(), 11, step, 0, words);
     standard_normals(best_instruction_set(), words, normals);
     for (std::size_t i = 0; i < kBlockSize; ++i) {
-      sum += f(normals.first[i], normals.second[i], normals.third[i]);
+      sum += f(normals.first()[i], normals.second()[i], normals.third()[i]);
     }
   }
   return sum / (1000.0 * kBlockSize);
@@ -84,6 +84,45 @@ TEST(StandardNormals, HaveTheMomentsOfIndependentNormals) {
   EXPECT_NEAR(mean_over_normals([](double a, double, double c) { return a * c; }), 0.0, bound);
   EXPECT_NEAR(mean_over_normals([](double a, double, double) { return std::abs(a) > 3.0 ? 1.0 : 0.0; }),
               0.0027, bound * std::sqrt(0.0027));
+}
+
+/// The normals of two blocks over two steps, one behind the other.
+std::vector<double> normals_in_a_row(std::uint64_t seed) {
+  std::vector<double> all;
+  for (const std::uint32_t step : {6U, 7U}) {
+    for (const std::uint32_t first : {0U, static_cast<std::uint32_t>(kBlockSize)}) {
+      RandomWords words;
+      Normals normals;
+      random_words(best_instruction_set(), seed, step, first, words);
+      standard_normals(best_instruction_set(), words, normals);
+      all.insert(all.end(), normals.all.begin(), normals.all.end());
+    }
+  }
+  return all;
+}
+
+TEST(StandardNormals, OfAllParticlesBlocksAndStepsAreIndependent) {
+  constexpr std::uint64_t kRuns = 40;
+  constexpr std::size_t kLags = 2560;
+  std::vector<double> products(kLags, 0.0);
+  std::vector<double> products_of_squares(kLags, 0.0);
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+    const std::vector<double> x = normals_in_a_row(seed);
+    count = x.size();
+    for (std::size_t lag = 1; lag < kLags; ++lag) {
+      for (std::size_t i = lag; i < count; ++i) {
+        const double product = x[i] * x[i - lag];
+        products[lag] += product;
+        products_of_squares[lag] += product * product - x[i] * x[i] - x[i - lag] * x[i - lag] + 1.0;
+      }
+    }
+  }
+  for (std::size_t lag = 1; lag < kLags; ++lag) {
+    const double pairs = std::sqrt(static_cast<double>(kRuns * (count - lag)));
+    EXPECT_LT(std::abs(products[lag]), 5.0 * pairs) << lag;
+    EXPECT_LT(std::abs(products_of_squares[lag]), 6.0 * 2.0 * pairs) << lag;
+  }
 }
 
 }  // namespace

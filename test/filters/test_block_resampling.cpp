@@ -16,8 +16,9 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 BlockWeights weights_from(InstructionSet set, const std::vector<double>& logs) {
   BlockWeights weights;
   weights.set_equal(logs.size());
+  const std::vector<double> ones(kBlockSize, 1.0);
   for (std::size_t block = 0; block < blocks_of(logs.size()); ++block) {
-    weights.set(set, block, &logs[block_begin(block)]);
+    weights.set(set, block, &logs[block_begin(block)], ones.data());
   }
   weights.normalise();
   return weights;

@@ -17,8 +17,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Whether any particle had weight.
 bool set_all(InstructionSet set, const std::vector<double>& logs, BlockWeights& weights) {
   weights.set_equal(logs.size());
+  const std::vector<double> ones(kBlockSize, 1.0);
   for (std::size_t block = 0; block < blocks_of(logs.size()); ++block) {
-    weights.set(set, block, &logs[block_begin(block)]);
+    weights.set(set, block, &logs[block_begin(block)], ones.data());
   }
   return weights.normalise();
 }
@@ -77,6 +78,26 @@ TEST_P(BlockWeightsOnEachSet, NanIsNoWeightAndNoneAtAllIsEqualWeights) {
     EXPECT_FALSE(set_all(GetParam(), std::vector<double>(300, excluded), weights));
     EXPECT_NEAR(weights[299], 1.0 / 300.0, 1e-12);
     EXPECT_NEAR(weights.effective_sample_size(), 300.0, 1e-9);
+  }
+}
+
+TEST(BlockWeights, AreEqualInEveryBlockAgainWhateverTheyWere) {
+  BlockWeights weights;
+  for (const std::size_t size : {700U, 256U, 1000U}) {
+    std::vector<double> logs(size);
+    for (std::size_t i = 0; i < size; ++i) logs[i] = -0.01 * static_cast<double>(i);
+    set_all(best_instruction_set(), logs, weights);
+    EXPECT_GT(weights[0], weights[size - 1]);
+    weights.set_equal(size);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::size_t block = i / kBlockSize;
+      sum += weights[i];
+      EXPECT_NEAR(weights[i], 1.0 / static_cast<double>(size), 1e-15);
+      EXPECT_NEAR(weights.base(block) + weights.scale(block) * weights.cumulated(block)[i % kBlockSize], sum,
+                  1e-12);
+    }
+    EXPECT_NEAR(weights.total(), 1.0, 1e-12);
   }
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -26,9 +27,10 @@ ParticleCloud two_clusters(std::size_t size, std::size_t threads = 1) {
 
 /// Weighs by a Gaussian in x; labels are the place along y.
 bool weigh_by_x(ParticleCloud& cloud, double centre, double precision) {
-  return cloud.weigh([=](const PoseBlock& poses, double* log_weight, float* label) {
+  return cloud.weigh([=](const PoseBlock& poses, double* log_weight, double* factor, float* label) {
     for (std::size_t i = 0; i < poses.size; ++i) {
       log_weight[i] -= precision * (poses.x[i] - centre) * (poses.x[i] - centre);
+      factor[i] = 1.0;
       label[i] = static_cast<float>(poses.y[i]);
     }
   });
@@ -80,6 +82,21 @@ TEST(ParticleCloud, AReplacedWeightStandsBesideTheNormalisedOnes) {
   cloud.set_log_weight(0, std::log(0.5));
   weigh_by_x(cloud, 0.0, 0.0);
   EXPECT_NEAR(cloud.weights()[0], 0.5 / (0.5 + 0.99), 1e-9);
+}
+
+TEST(ParticleCloud, FactorsMultiplyFromOneMeasurementToTheNext) {
+  ParticleCloud cloud = two_clusters(100);
+  for (int k = 0; k < 3; ++k) {
+    cloud.weigh([](const PoseBlock& poses, double*, double* factor, float*) {
+      for (std::size_t i = 0; i < poses.size; ++i) factor[i] = i == 0 ? 3.0 : 1.0;
+    });
+  }
+  EXPECT_NEAR(cloud.weights()[0], 27.0 / (27.0 + 99.0), 1e-9);
+  cloud.set_log_weight(0, std::log(0.5));
+  cloud.weigh([](const PoseBlock& poses, double*, double* factor, float*) {
+    std::fill(factor, factor + poses.size, 1.0);
+  });
+  EXPECT_NEAR(cloud.weights()[0], 0.5 / (0.5 + 99.0 / 126.0), 1e-9);
 }
 
 TEST(ParticleCloud, SelectionCopiesPosesAndLabelsWithEqualWeights) {

@@ -22,14 +22,16 @@ Value weighed(InstructionSet set, const Setting& setting, const GnssFix& fix, co
   BlockValues y;
   BlockValues yaw;
   BlockValues log_weight{};
+  BlockValues factor{};
   std::array<float, kBlockSize> share{};
   x.fill(pose.x);
   y.fill(pose.y);
   yaw.fill(pose.yaw);
   const GnssLikelihood likelihood(setting.parameters, fix, setting.shadow_weight, setting.ring_radius,
                                   heading);
-  likelihood.add_to(set, {x.data(), y.data(), yaw.data(), kBlockSize}, log_weight.data(), share.data());
-  return {log_weight[7], share[7]};
+  likelihood.add_to(set, {x.data(), y.data(), yaw.data(), kBlockSize}, log_weight.data(), factor.data(),
+                    share.data());
+  return {log_weight[7] + std::log(factor[7]), share[7]};
 }
 
 /// By the errors of Eqs. (28)-(30), the same on each instruction set.
@@ -141,14 +143,16 @@ TEST(GnssLikelihood, WorksOnTheParticlesOfTheBlockAloneAndAdds) {
   std::array<double, 3> y = x;
   std::array<double, 3> yaw{};
   std::array<double, 3> log_weight = {-5.0, -6.0, -7.0};
+  std::array<double, 3> factor = {8.0, 8.0, 8.0};
   std::array<float, 3> share = {9.0F, 9.0F, 9.0F};
   const GnssLikelihood likelihood(printed(), GnssFix(), 0.5, 0.0, std::nullopt);
   likelihood.add_to(best_instruction_set(), {x.data(), y.data(), yaw.data(), 2}, log_weight.data(),
-                    share.data());
+                    factor.data(), share.data());
   const Likelihood alone{printed(), 0.5, 0.0};
-  EXPECT_NEAR(log_weight[0], -5.0 + alone({0.0, 0.0}, {}).log_likelihood, 1e-9);
-  EXPECT_NEAR(log_weight[1], -6.0 + alone({1.0, 1.0}, {}).log_likelihood, 1e-9);
+  EXPECT_NEAR(log_weight[0] + std::log(factor[0]), -5.0 + alone({0.0, 0.0}, {}).log_likelihood, 1e-9);
+  EXPECT_NEAR(log_weight[1] + std::log(factor[1]), -6.0 + alone({1.0, 1.0}, {}).log_likelihood, 1e-9);
   EXPECT_EQ(log_weight[2], -7.0);
+  EXPECT_EQ(factor[2], 8.0);
   EXPECT_EQ(share[2], 9.0F);
 }
 

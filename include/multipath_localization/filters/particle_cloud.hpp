@@ -31,7 +31,7 @@ class ParticleCloud {
 
   [[nodiscard]] const BlockWeights& weights() const { return weights_; }
   /// Replaces a weight, by the logarithm; in force after the next `weigh`.
-  void set_log_weight(std::size_t i, double log_weight) { log_weight_[i] = log_weight + weights_.log_sum(); }
+  void set_log_weight(std::size_t i, double log_weight);
 
   /// A number that goes with each particle when resampled, of the caller's choice.
   [[nodiscard]] float label(std::size_t i) const { return label_[i]; }
@@ -46,19 +46,22 @@ class ParticleCloud {
     return sums_after(reference, std::cref(work));
   }
 
-  /// Calls `add(poses, log_weights, labels)` for each block, which adds the logarithm of a likelihood to the
-  /// weights, and normalises. False when no particle has any weight left: all are equal then.
+  /// Calls `add(poses, log_weights, factors, labels)` for each block, which multiplies the weights by a
+  /// likelihood: adds part of its logarithm and sets the factors to the rest. Normalises. False when no
+  /// particle has any weight left: all are equal then.
   template <class Add>
   bool weigh(const Add& add) {
     const auto work = [&](std::size_t block) {
       double* log_weight = &log_weight_[block_begin(block)];
-      add(poses(block), log_weight, &label_[block_begin(block)]);
-      weights_.set(set_, block, log_weight);
+      double* factor = &factor_[block_begin(block)];
+      if (has_factors_) take_in(factor, log_weight, block_length(block, size()));
+      add(poses(block), log_weight, factor, &label_[block_begin(block)]);
+      weights_.set(set_, block, log_weight, factor);
     };
     for_each_block(std::cref(work));
-    if (weights_.normalise()) return true;
-    std::fill(log_weight_.begin(), log_weight_.end(), 0.0);
-    return false;
+    has_factors_ = weights_.normalise();
+    if (!has_factors_) std::fill(log_weight_.begin(), log_weight_.end(), 0.0);
+    return has_factors_;
   }
 
   /// Mean of the labels.
@@ -78,6 +81,8 @@ class ParticleCloud {
  private:
   /// Those of a block, where they are stored.
   PoseBlock poses(std::size_t block);
+  /// Adds the logarithms of factors to those of weights.
+  void take_in(const double* factor, double* log_weight, std::size_t size) const;
   /// By reference, lest the function be copied to the heap.
   void for_each_block(const std::function<void(std::size_t)>& work);
   PoseSums sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work);
@@ -88,7 +93,9 @@ class ParticleCloud {
   std::vector<double> y_;
   std::vector<double> yaw_;
   std::vector<double> log_weight_;  ///< up to a constant
-  std::vector<float> member_;       ///< 1 or 0
+  std::vector<double> factor_;      ///< of the weights, beside the logarithm, where there are any
+  bool has_factors_ = false;
+  std::vector<float> member_;  ///< 1 or 0
   std::vector<float> label_;
   BlockWeights weights_;
   std::vector<PoseSums> block_sums_;

@@ -42,9 +42,11 @@ class GnssLikelihood {
   GnssLikelihood(const GnssLikelihoodParameters& parameters, const GnssFix& fix, double shadow_weight,
                  double ring_radius, const std::optional<double>& heading);
 
-  /// Adds its logarithm at each pose to `log_weight`; `shadow_share` becomes the part of it, 0..1, that Eq.
-  /// (31) contributes.
-  void add_to(InstructionSet set, const PoseBlock& poses, double* log_weight, float* shadow_share) const;
+  /// Adds the logarithm of its largest term at each pose to `log_weight`; `factor` becomes what all terms are
+  /// to the largest, 1..4, whose logarithm few need; `shadow_share` the part, 0..1, that Eq. (31)
+  /// contributes.
+  void add_to(InstructionSet set, const PoseBlock& poses, double* log_weight, double* factor,
+              float* shadow_share) const;
 
  private:
   bool cross_;
