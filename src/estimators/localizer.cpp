@@ -29,14 +29,19 @@ void LocalizerParameters::fields(ParameterVisitor& field) {
         "without an accepted fix for this long the state is DEAD_RECKONING");
   field("lost_sigma", lost_sigma, {0.1, 1e4}, "m",
         "with a larger standard deviation of position over all hypotheses the state is LOST");
+  field.group("fix_covariance", fix_covariance, "how far receivers are believed");
 }
 
 Localizer::Localizer(std::unique_ptr<Estimator> estimator, const LocalizerParameters& parameters)
-    : estimator_(std::move(estimator)), parameters_(parameters), history_(parameters.history_length) {}
+    : estimator_(std::move(estimator)),
+      parameters_(parameters),
+      history_(parameters.history_length),
+      fix_covariance_(parameters.fix_covariance) {}
 
 void Localizer::start(const std::optional<PosePrior>& prior) {
   estimator_->start(prior);
   history_.clear();
+  fix_covariance_.clear();
   waiting_.clear();
   accepted_.fill(std::nullopt);
   has_odometry_ = false;
@@ -48,6 +53,7 @@ void Localizer::add(const OdometryIncrement& increment) {
     if (to <= from) return;
     const OdometryIncrement part = lasting(increment, from, to);
     history_.add(part);
+    driven_ += std::abs(part.speed) * part.duration;
     estimator_->predict(part);
     now_ = from = to;
   };
@@ -65,9 +71,9 @@ void Localizer::add(const OdometryIncrement& increment) {
 void Localizer::add(const Measurement& measurement) {
   const double stamp = stamp_of(measurement);
   if (!has_odometry_) {
-    reports_.push_back({stamp, measurement, refused(Reason::kNotStarted)});
+    reports_.push_back({stamp, measurement, refused(Reason::kNotStarted), {}, {}});
   } else if (stamp > now_ + parameters_.future_tolerance || waiting_.size() >= kMostWaiting) {
-    reports_.push_back({stamp, measurement, refused(Reason::kFutureStamp)});
+    reports_.push_back({stamp, measurement, refused(Reason::kFutureStamp), {}, {}});
   } else if (stamp > now_) {
     const auto place = std::upper_bound(waiting_.begin(), waiting_.end(), stamp,
                                         [](double t, const Measurement& m) { return t < stamp_of(m); });
@@ -79,19 +85,33 @@ void Localizer::add(const Measurement& measurement) {
 
 void Localizer::apply(const Measurement& measurement) {
   const double stamp = stamp_of(measurement);
-  const std::optional<Measurement> carried = carried_back(measurement, [this](double then) {
+  MeasurementReport report{stamp, measurement, refused(Reason::kOldStamp), std::nullopt, std::nullopt};
+  std::optional<Measurement> carried = carried_back(measurement, [this](double then) {
     return then == now_ ? std::optional<Pose2>(Pose2{}) : history_.base_then_in_base_now(then);
   });
-  if (!carried) {
-    reports_.push_back({stamp, measurement, refused(Reason::kOldStamp)});
-    return;
+  if (carried) {
+    auto* fix = std::get_if<GnssFix>(&*carried);
+    report.innovation = fix == nullptr ? estimator_->update(*carried) : weigh(*fix, report);
   }
-  const Innovation innovation = estimator_->update(*carried);
-  if (innovation.accepted()) {
+  if (report.innovation.accepted()) {
     std::optional<double>& last = accepted_[measurement.index()];
     last = std::max(last.value_or(stamp), stamp);
   }
-  reports_.push_back({stamp, measurement, innovation});
+  reports_.push_back(report);
+}
+
+Innovation Localizer::weigh(GnssFix& fix, MeasurementReport& report) {
+  const PoseEstimate before = estimator_->estimate();
+  fix.covariance = fix_covariance_.of(fix.covariance);
+  const Innovation innovation = estimator_->update(fix);
+  const double expected = innovation.covariance.trace();
+  if (expected > 0.0) report.used_sigma = std::sqrt(0.5 * (expected + before.bias.squaredNorm()));
+  const bool sound = innovation.accepted() || innovation.reason == Reason::kGated;
+  if (sound && before.aligned) {
+    fix_covariance_.observe(driven_, fix.position - before.pose * fix.antenna_in_base);
+  }
+  report.observed_sigma = fix_covariance_.observed_sigma();
+  return innovation;
 }
 
 std::vector<MeasurementReport> Localizer::take_reports() { return std::exchange(reports_, {}); }

@@ -89,12 +89,16 @@ Innovation MultipathParticleFilter::update(const Measurement& z) {
 
 Innovation MultipathParticleFilter::innovation(const GnssFix& fix) const {
   const FixPrediction prediction(cluster_.belief, fix.antenna_in_base);
+  double noise_variance = 0.0;
+  for (const BeliefParticle& particle : particles_) {
+    noise_variance +=
+        particle.weight * parameters_.classes[particle.receiver].noise_variance(particle.mode.noisy);
+  }
   Innovation result;
   result.reason = Reason::kAccepted;
   result.innovation = fix.position - prediction.antenna - prediction.bias;
   result.covariance = prediction.antenna_covariance + prediction.cross_covariance +
-                      prediction.bias_covariance +
-                      square(parameters_.classes.street.quiet_sigma) * Eigen::Matrix2d::Identity();
+                      prediction.bias_covariance + noise_variance * Eigen::Matrix2d::Identity();
   result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
   return result;
 }

@@ -162,6 +162,8 @@ void LocalizationNode::publish_reports() {
     std::optional<FixReport> report = reports_.close(kGnssKinds[done.measurement.index()], done.stamp);
     if (!report) continue;
     report->usable_satellites = static_cast<std::uint32_t>(satellites_of(done.measurement));
+    if (done.observed_sigma) report->observed_sigma = *done.observed_sigma;
+    if (done.used_sigma) report->used_sigma = *done.used_sigma;
     publish(*report, done.innovation);
     outputs_.publish_bias(localizer_.estimate(), odometry_stamp());
   }

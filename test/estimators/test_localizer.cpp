@@ -27,10 +27,12 @@ class Recorder : public Estimator {
   Innovation update(const Measurement& z) override {
     Innovation innovation;
     innovation.reason = verdict;
+    innovation.covariance = 2.0 * Eigen::Matrix2d::Identity();
     if (!std::holds_alternative<GnssFix>(z)) return innovation;
     const auto& fix = std::get<GnssFix>(z);
     innovation.innovation = fix.position - estimate_.pose * fix.antenna_in_base;
     innovations.push_back(innovation.innovation);
+    covariances.push_back(fix.covariance);
     used_at.push_back(estimate_.stamp);
     return innovation;
   }
@@ -43,6 +45,7 @@ class Recorder : public Estimator {
   int starts = 0;
   std::vector<OdometryIncrement> increments;
   std::vector<Eigen::Vector2d> innovations;
+  std::vector<Eigen::Matrix2d> covariances;
   std::vector<double> used_at;
 };
 
@@ -51,10 +54,12 @@ const Eigen::Vector2d kAntenna(0.5, 0.2);
 
 class LocalizerTest : public testing::Test {
  protected:
-  LocalizerTest() {
+  LocalizerTest() { make(LocalizerParameters{}); }
+
+  void make(const LocalizerParameters& parameters) {
     auto made = std::make_unique<Recorder>();
     recorder = made.get();
-    localizer = std::make_unique<Localizer>(std::move(made), LocalizerParameters{});
+    localizer = std::make_unique<Localizer>(std::move(made), parameters);
     localizer->start(std::nullopt);
   }
 
@@ -228,6 +233,45 @@ TEST_F(LocalizerTest, TrustFollowsTheEstimateAndTheFixes) {
   expect(Trust::kDeadReckoning);
   estimate.position_covariance_overall *= 1e5;
   expect(Trust::kLost);
+}
+
+TEST_F(LocalizerTest, SaysHowFarFixesLieFromThePoseAndHowFarTheEstimatorReckonedWith) {
+  recorder->estimate_.bias = {1.0, 1.0};
+  drive(1.0);
+  const auto report = [&] {
+    drive(0.5);
+    GnssFix biased = fix_at(now - 0.2);
+    biased.position.y() += 4.0;
+    localizer->add(Measurement(biased));
+    return localizer->take_reports().back();
+  };
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(report().observed_sigma) << "of a pose that is not settled";
+  recorder->estimate_.aligned = true;
+  MeasurementReport last;
+  for (int i = 0; i < 10; ++i) last = report();
+  ASSERT_TRUE(last.observed_sigma && last.used_sigma);
+  EXPECT_NEAR(*last.observed_sigma, 4.0 / std::sqrt(2.0 * std::log(2.0)), 1e-9);
+  EXPECT_NEAR(*last.used_sigma, std::sqrt(2.0 + 1.0), 1e-9);
+  EXPECT_TRUE(recorder->covariances.back().isIdentity()) << "the message's counts by default";
+}
+
+TEST_F(LocalizerTest, AdaptsTheCovarianceOfFixesWhereAskedTo) {
+  LocalizerParameters adaptive;
+  adaptive.fix_covariance.source = "adaptive";
+  make(adaptive);
+  recorder->estimate_.aligned = true;
+  drive(1.0);
+  for (int i = 0; i < 10; ++i) {
+    drive(0.5);
+    GnssFix biased = fix_at(now);
+    biased.position.y() += 4.0;
+    localizer->add(Measurement(biased));
+  }
+  EXPECT_NEAR(recorder->covariances.back()(0, 0), 16.0 / (2.0 * std::log(2.0)), 1e-9);
+  localizer->start(std::nullopt);
+  drive(0.5);
+  localizer->add(Measurement(fix_at(now)));
+  EXPECT_TRUE(recorder->covariances.back().isIdentity()) << "a start forgets";
 }
 
 TEST_F(LocalizerTest, OnlyAnAcceptedFixEndsDeadReckoning) {

@@ -343,5 +343,25 @@ TEST(MultipathParticleFilter, DoubtsThePoseAfterAnEncoderFailedAndFindsTheWayBac
   }
 }
 
+TEST(MultipathParticleFilter, ReckonsWithTheNoiseOfTheReceiverAsItIs) {
+  SimulatedDrive robot(3);
+  robot.fix_sigma = 1.0;
+  Localizer localizer(std::make_unique<MultipathParticleFilter>(MultipathParticleFilterParameters{}, 3),
+                      LocalizerParameters{});
+  localizer.start(std::nullopt);
+  robot.run(localizer, 60.0);
+  localizer.take_reports();
+  robot.run(localizer, 120.0);
+  double nis = 0.0;
+  const std::vector<MeasurementReport> reports = localizer.take_reports();
+  for (const MeasurementReport& report : reports) nis += report.innovation.nis;
+  nis /= static_cast<double>(reports.size());
+  EXPECT_GT(nis, 1.0);
+  EXPECT_LT(nis, 4.0);
+  ASSERT_TRUE(reports.back().observed_sigma && reports.back().used_sigma);
+  EXPECT_NEAR(*reports.back().observed_sigma, 1.0, 0.4);
+  EXPECT_NEAR(*reports.back().used_sigma, 1.0, 0.4);
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -13,6 +13,7 @@
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
+#include "multipath_localization/estimators/receiver_covariance.hpp"
 
 namespace multipath_localization {
 
@@ -21,6 +22,7 @@ struct LocalizerParameters {
   double future_tolerance = 0.5;
   double dead_reckoning_after = 3.0;
   double lost_sigma = 10.0;
+  ReceiverCovarianceParameters fix_covariance;
 
   void fields(ParameterVisitor& field);
 };
@@ -30,6 +32,8 @@ struct MeasurementReport {
   double stamp = 0.0;
   Measurement measurement;
   Innovation innovation;
+  std::optional<double> observed_sigma;  ///< how far fixes lie from the pose by now, an axis [m]
+  std::optional<double> used_sigma;      ///< how far the estimator reckoned with, bias included [m]
 };
 
 /// Puts an estimator on a stream: measurements count at their own stamps, whatever the order of arrival.
@@ -61,6 +65,8 @@ class Localizer {
 
  private:
   void apply(const Measurement& measurement);
+  /// Hands a fix to the estimator with the covariance it is to have; what was observed goes into the report.
+  Innovation weigh(GnssFix& fix, MeasurementReport& report);
   /// When a measurement was accepted last, the start of odometry before the first [s].
   [[nodiscard]] double last_accepted() const;
   [[nodiscard]] std::size_t latest_kind() const;
@@ -73,9 +79,11 @@ class Localizer {
   std::unique_ptr<Estimator> estimator_;
   LocalizerParameters parameters_;
   OdometryHistory history_;
+  ReceiverCovariance fix_covariance_;
   std::deque<Measurement> waiting_;  ///< ahead of the odometry, by stamp
   std::vector<MeasurementReport> reports_;
   double now_ = 0.0;
+  double driven_ = 0.0;  ///< way since the start [m]
   bool has_odometry_ = false;
   double start_ = 0.0;                                                            ///< of odometry
   std::array<std::optional<double>, std::variant_size_v<Measurement>> accepted_;  ///< last stamp, by kind
