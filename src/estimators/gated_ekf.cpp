@@ -85,6 +85,7 @@ PoseEstimate GatedEkf::estimate() const {
   result.aligned =
       tracked_ && tracked_->covariance(kYaw, kYaw) < square(parameters_.alignment.alignment_yaw_sigma);
   result.pose = odometry_state::pose(belief().mean);
+  if (!tracked_) result.way_to_alignment = alignment_.missing();
   result.covariance = belief().covariance.topLeftCorner<3, 3>();
   result.position_covariance_overall = belief().covariance.topLeftCorner<2, 2>();
   return result;

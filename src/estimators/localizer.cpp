@@ -12,6 +12,12 @@ constexpr std::size_t kMostWaiting = 1000;  ///< measurements ahead of odometry 
 constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fixes", "pairs of fixes",
                                                                               "pseudoranges"};
 
+/// "about 7 m more", or "on" where the way is not known.
+std::string way_on(double way) {
+  if (!std::isfinite(way)) return "on";
+  return "about " + std::to_string(std::max(1L, std::lround(std::ceil(way)))) + " m more";
+}
+
 OdometryIncrement lasting(OdometryIncrement increment, double start, double end) {
   increment.stamp = end;
   increment.duration = end - start;
@@ -33,6 +39,8 @@ void LocalizerParameters::fields(ParameterVisitor& field) {
 }
 
 Localizer::Localizer(std::unique_ptr<Estimator> estimator, const LocalizerParameters& parameters)
+  field("frozen_distance", frozen_distance, {0.0, 1000.0}, "m",
+        "a receiver that says the same to the bit while the robot drives this far is frozen");
     : estimator_(std::move(estimator)),
       parameters_(parameters),
       history_(parameters.history_length),
@@ -46,6 +54,9 @@ void Localizer::start(const std::optional<PosePrior>& prior) {
   accepted_.fill(std::nullopt);
   has_odometry_ = false;
 }
+  mirror_check_.clear();
+  told_.reset();
+  frozen_.reset();
 
 void Localizer::add(const OdometryIncrement& increment) {
   double from = increment.stamp - increment.duration;
@@ -62,6 +73,7 @@ void Localizer::add(const OdometryIncrement& increment) {
   while (!waiting_.empty() && stamp_of(waiting_.front()) <= increment.stamp) {
     const Measurement measurement = waiting_.front();
     waiting_.pop_front();
+    mirror_check_.add(part);
     advance(stamp_of(measurement));
     apply(measurement);
   }
@@ -93,7 +105,7 @@ void Localizer::apply(const Measurement& measurement) {
     auto* fix = std::get_if<GnssFix>(&*carried);
     report.innovation = fix == nullptr ? estimator_->update(*carried) : weigh(*fix, report);
   }
-  if (report.innovation.accepted()) {
+  if (report.innovation.accepted() || report.innovation.reason == Reason::kRepeated) {
     std::optional<double>& last = accepted_[measurement.index()];
     last = std::max(last.value_or(stamp), stamp);
   }
@@ -103,7 +115,8 @@ void Localizer::apply(const Measurement& measurement) {
 Innovation Localizer::weigh(GnssFix& fix, MeasurementReport& report) {
   const PoseEstimate before = estimator_->estimate();
   fix.covariance = fix_covariance_.of(fix.covariance);
-  const Innovation innovation = estimator_->update(fix);
+  Innovation innovation = estimator_->update(fix);
+  tell_frozen(fix, innovation.reason);
   const double expected = innovation.covariance.trace();
   if (expected > 0.0) report.used_sigma = std::sqrt(0.5 * (expected + before.bias.squaredNorm()));
   const bool sound = innovation.accepted() || innovation.reason == Reason::kGated;
@@ -116,13 +129,28 @@ Innovation Localizer::weigh(GnssFix& fix, MeasurementReport& report) {
 
 std::vector<MeasurementReport> Localizer::take_reports() { return std::exchange(reports_, {}); }
 
+  if (sound) mirror_check_.add(fix);
 Trust Localizer::state() const {
   const PoseEstimate estimate = estimator_->estimate();
   if (!has_odometry_ || !estimate.valid) return Trust::kNotReady;
-  if (!estimate.aligned) return Trust::kAligning;
+  if (!estimate.aligned || mirrored()) return Trust::kAligning;
   const double variance = estimate.position_covariance_overall.trace();
   if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return Trust::kLost;
   if (now_ - last_accepted() > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
+void Localizer::tell_frozen(const GnssFix& fix, Reason& reason) {
+  frozen_.reset();
+  if (reason != Reason::kFrozen) {
+    if (!told_ || told_->position != fix.position) told_ = {fix.position, fix.stamp, driven_};
+    return;
+  }
+  const double driven = told_ ? driven_ - told_->driven : 0.0;
+  if (driven <= parameters_.frozen_distance) {
+    reason = Reason::kRepeated;
+  } else {
+    frozen_ = {fix.stamp - told_->stamp, driven};
+  }
+}
+
   const bool biased = estimate.shadow_probability > 0.5 || estimate.canyon_probability > 0.5;
   return biased ? Trust::kMultipath : Trust::kGood;
 }
@@ -151,13 +179,19 @@ std::string Localizer::state_reason() const {
   switch (state()) {
     case Trust::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
     case Trust::kAligning:
-      if (estimator_->estimate().wheel_fault_probability > 0.5) {
+      if (mirrored()) {
+        return "odometry turns the other way round than the fixes: is it mirrored, or NED? Let doctor look";
+      }
+      if (estimate.wheel_fault_probability > 0.5) {
         return "odometry contradicts the fixes: do the wheels slip, does an encoder fail?";
       }
-      return "heading or position not yet confirmed, drive on under open sky";
+      return "heading or position not yet confirmed, drive " + way_on(estimate.way_to_alignment) +
+             " under open sky";
     case Trust::kGood: return basis() + " agree with odometry" + missed();
     case Trust::kMultipath: return basis() + " are biased, the bias is being tracked" + missed();
-    case Trust::kDeadReckoning: return "no usable fix, running on odometry";
+  const PoseEstimate estimate = estimator_->estimate();
+    case Trust::kDeadReckoning:
+      return std::string(frozen_ ? "receiver frozen" : "no usable fix") + ", running on odometry";
     case Trust::kLost: return "position too uncertain to drive by";
   }
   return "";

@@ -219,6 +219,8 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   result.dominance = cluster_.mass;
   result.position_covariance_overall = cluster_.overall_position_covariance + floor;
   result.shadow_probability = cluster_.shadow;
+  result.way_to_alignment =
+      std::max(0.0, parameters_.confirm_distance - std::max(confirmed_over_, settled_over_));
   result.canyon_probability = class_probability_[kCanyon];
   result.wheel_fault_probability = class_probability_[kWheelFault];
   result.bias = belief.mean.tail<2>();

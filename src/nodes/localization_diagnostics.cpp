@@ -96,6 +96,12 @@ void LocalizationDiagnostics::Figures::tell(Status& status) const {
 void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
   const InputMonitor& input = gnss_.of(kind);
   summarise_input(status, input, figures_[kind].refused);
+  const std::optional<FrozenReceiver>& frozen = localizer_.frozen();
+  if (kind == kFixKind && frozen && input.silence() < kLongSilence) {
+    status.summaryf(DiagnosticStatus::ERROR,
+                    "receiver frozen %.0f s, the robot has driven %.0f m meanwhile: restart its driver",
+                    frozen->duration, frozen->driven);
+  }
   if (!input.awaited()) {
     status.summary(DiagnosticStatus::OK, parameters_.estimator + " has no use for it");
   } else if (!input.seen() && gnss_.silence() < kLongSilence) {
@@ -109,6 +115,11 @@ void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
 
 void LocalizationDiagnostics::report_odometry(Status& status) {
   summarise_input(status, odometry_, refused_odometry_);
+  if (localizer_.mirrored()) {
+    status.summary(
+        DiagnosticStatus::ERROR,
+        "turns the other way round than the fixes: mirrored, or NED; yaw is to be counter-clockwise");
+  }
 }
 
 void LocalizationDiagnostics::report_filter(Status& status) {

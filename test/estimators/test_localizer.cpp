@@ -274,6 +274,43 @@ TEST_F(LocalizerTest, AdaptsTheCovarianceOfFixesWhereAskedTo) {
   EXPECT_TRUE(recorder->covariances.back().isIdentity()) << "a start forgets";
 }
 
+TEST_F(LocalizerTest, SaysHowFarToDriveUntilThePoseIsConfirmed) {
+  recorder->estimate_.valid = true;
+  drive(1.0);
+  EXPECT_EQ(localizer->state_reason(), "heading or position not yet confirmed, drive on under open sky");
+  recorder->estimate_.way_to_alignment = 6.3;
+  EXPECT_EQ(localizer->state_reason(),
+            "heading or position not yet confirmed, drive about 7 m more under open sky");
+}
+
+TEST_F(LocalizerTest, AReceiverIsFrozenOnceTheRobotHasDrivenOn) {
+  recorder->estimate_.valid = recorder->estimate_.aligned = true;
+  drive(1.0);
+  GnssFix fix = fix_at(now);
+  const auto repeated = [&] {
+    recorder->verdict = Reason::kFrozen;
+    fix.stamp = now;
+    localizer->add(Measurement(fix));
+    return localizer->take_reports().back().innovation.reason;
+  };
+  EXPECT_EQ(reason_of(now), Reason::kAccepted);
+  drive(60.0, 0.0);
+  EXPECT_EQ(repeated(), Reason::kRepeated) << "of a robot that stands";
+  EXPECT_EQ(localizer->state(), Trust::kGood);
+  EXPECT_FALSE(localizer->frozen());
+  drive(1.9);
+  EXPECT_EQ(repeated(), Reason::kRepeated);
+  drive(4.0);
+  EXPECT_EQ(repeated(), Reason::kFrozen);
+  ASSERT_TRUE(localizer->frozen());
+  EXPECT_NEAR(localizer->frozen()->duration, 65.9, 1e-6);
+  EXPECT_NEAR(localizer->frozen()->driven, 5.9, 1e-6);
+  EXPECT_EQ(localizer->state_reason(), "receiver frozen, running on odometry");
+  recorder->verdict = Reason::kAccepted;
+  EXPECT_EQ(reason_of(now), Reason::kAccepted);
+  EXPECT_FALSE(localizer->frozen());
+}
+
 TEST_F(LocalizerTest, OnlyAnAcceptedFixEndsDeadReckoning) {
   recorder->estimate_.valid = recorder->estimate_.aligned = true;
   drive(LocalizerParameters{}.dead_reckoning_after + 1.0);

@@ -363,5 +363,15 @@ TEST(MultipathParticleFilter, ReckonsWithTheNoiseOfTheReceiverAsItIs) {
   EXPECT_NEAR(*reports.back().used_sigma, 1.0, 0.4);
 }
 
+TEST(MultipathParticleFilter, SaysHowFarToDriveUntilItIsConfirmed) {
+  SimulatedDrive robot(5);
+  Localizer localizer = default_localizer(5);
+  const double whole = MultipathParticleFilterParameters{}.confirm_distance;
+  robot.run(localizer, 1.0);
+  EXPECT_GT(localizer.estimate().way_to_alignment, 0.8 * whole);
+  while (!localizer.estimate().aligned && robot.time < 60.0) robot.run(localizer, 1.0);
+  EXPECT_LE(localizer.estimate().way_to_alignment, 0.1 * whole);
+}
+
 }  // namespace
 }  // namespace multipath_localization

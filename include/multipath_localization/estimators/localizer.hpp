@@ -14,6 +14,7 @@
 #include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/estimators/receiver_covariance.hpp"
+#include "multipath_localization/models/mirror_check.hpp"
 
 namespace multipath_localization {
 
@@ -22,6 +23,7 @@ struct LocalizerParameters {
   double future_tolerance = 0.5;
   double dead_reckoning_after = 3.0;
   double lost_sigma = 10.0;
+  double frozen_distance = 2.0;
   ReceiverCovarianceParameters fix_covariance;
 
   void fields(ParameterVisitor& field);
@@ -38,8 +40,16 @@ struct MeasurementReport {
 
 /// Puts an estimator on a stream: measurements count at their own stamps, whatever the order of arrival.
 ///
+/// A receiver that says the same to the bit while the robot drives on.
+struct FrozenReceiver {
+  double duration = 0.0;  ///< since it said so first [s]
+  double driven = 0.0;    ///< since then [m]
+};
+
 /// A measurement ahead of the odometry waits until the odometry has passed it, and the increment is split at
-/// its stamp. A late one is weighed now, with its lever arm carried back over the odometry history.
+/// its stamp. A late one is weighed now, with its lever arm carried back over the odometry history. A fix
+/// that the estimator refuses for repeating the one before is `frozen` once the robot has driven
+/// `frozen_distance` since, and `repeated` before that: a receiver may do so whose robot stands.
 class Localizer {
  public:
   Localizer(std::unique_ptr<Estimator> estimator, const LocalizerParameters& parameters);
@@ -66,6 +76,10 @@ class Localizer {
  private:
   void apply(const Measurement& measurement);
   /// Hands a fix to the estimator with the covariance it is to have; what was observed goes into the report.
+  /// What the last fix told of a frozen receiver, nothing where it is none.
+  [[nodiscard]] const std::optional<FrozenReceiver>& frozen() const { return frozen_; }
+  /// Whether odometry turns the other way round than the fixes: its pose counts as not confirmed then.
+  [[nodiscard]] bool mirrored() const { return mirror_check_.mirrored(); }
   Innovation weigh(GnssFix& fix, MeasurementReport& report);
   /// When a measurement was accepted last, the start of odometry before the first [s].
   [[nodiscard]] double last_accepted() const;
@@ -74,6 +88,8 @@ class Localizer {
   [[nodiscard]] std::string basis() const;
   /// ", no pseudoranges for 12 s": what says more than that, was accepted before and is missed; empty for
   /// nothing.
+  /// Takes note of where a fix lies, and tells why a repeated one is refused.
+  void tell_frozen(const GnssFix& fix, Reason& reason);
   [[nodiscard]] std::string missed() const;
 
   std::unique_ptr<Estimator> estimator_;
@@ -87,6 +103,15 @@ class Localizer {
   bool has_odometry_ = false;
   double start_ = 0.0;                                                            ///< of odometry
   std::array<std::optional<double>, std::variant_size_v<Measurement>> accepted_;  ///< last stamp, by kind
+  MirrorCheck mirror_check_;
 };
 
 }  // namespace multipath_localization
+  /// A place fixes have told, and when and after which way they did so first.
+  struct Told {
+    Eigen::Vector2d position;
+    double stamp;
+    double driven;
+  };
+  std::optional<Told> told_;  ///< last
+  std::optional<FrozenReceiver> frozen_;
