@@ -154,7 +154,8 @@ void LocalizationNode::publish_poses() {
     outputs_.publish(localizer_, then, odometry.message, *datum_.map());
     diagnostics_.add_pose();
   }
-  map_to_odom_.send(odom_in_map, odometry_stamp(), ros::Time::now());
+  if (!estimate.aligned) map_to_odom_.jump();
+  map_to_odom_.send(odom_in_map, odometry_->base_in_odom, odometry_stamp(), ros::Time::now());
 }
 
 void LocalizationNode::publish_reports() {

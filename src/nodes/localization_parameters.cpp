@@ -20,6 +20,7 @@ void OutputParameters::fields(ParameterVisitor& field) {
   field("tf_rate", tf_rate, {20.0, 200.0}, "Hz",
         "map -> odom is repeated at this rate where odometry is slower");
   field("cloud_rate", cloud_rate, {0.1, 100.0}, "Hz", "of particlecloud, state, markers and path, at most");
+  slew.fields(field);
   field("max_cloud_poses", max_cloud_poses, {1, 1000000}, "1", "in particlecloud and markers, at most");
   field("path_length", path_length, {0, 1000000}, "1", "poses that path goes back, 0: no path");
   field("path_spacing", path_spacing, {0.0, 1000.0}, "m", "between the poses of path, at least");

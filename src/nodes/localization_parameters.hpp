@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "multipath_localization/estimators/localizer.hpp"
+#include "nodes/correction_slew.hpp"
 #include "nodes/gnss_message.hpp"
 #include "nodes/odometry_reader.hpp"
 
@@ -27,6 +28,7 @@ struct OutputParameters {
   bool publish_odom_tf = false;
   double transform_tolerance = 0.1;
   double tf_rate = 30.0;
+  SlewParameters slew;
   double cloud_rate = 5.0;
   int max_cloud_poses = 500;
   int path_length = 0;
