@@ -29,18 +29,22 @@ OdometryIncrement lasting(OdometryIncrement increment, double start, double end)
 void LocalizerParameters::fields(ParameterVisitor& field) {
   field("history_length", history_length, {0.1, 60.0}, "s",
         "odometry kept, so that fixes this late still count");
+  tunable(field);
+}
+
+void LocalizerParameters::tunable(ParameterVisitor& field) {
   field("future_tolerance", future_tolerance, {0.0, 10.0}, "s",
         "a fix stamped further ahead of the odometry than this is refused");
   field("dead_reckoning_after", dead_reckoning_after, {0.1, 600.0}, "s",
         "without an accepted fix for this long the state is DEAD_RECKONING");
   field("lost_sigma", lost_sigma, {0.1, 1e4}, "m",
         "with a larger standard deviation of position over all hypotheses the state is LOST");
+  field("frozen_distance", frozen_distance, {0.0, 1000.0}, "m",
+        "a receiver that says the same to the bit while the robot drives this far is frozen");
   field.group("fix_covariance", fix_covariance, "how far receivers are believed");
 }
 
 Localizer::Localizer(std::unique_ptr<Estimator> estimator, const LocalizerParameters& parameters)
-  field("frozen_distance", frozen_distance, {0.0, 1000.0}, "m",
-        "a receiver that says the same to the bit while the robot drives this far is frozen");
     : estimator_(std::move(estimator)),
       parameters_(parameters),
       history_(parameters.history_length),
@@ -50,13 +54,18 @@ void Localizer::start(const std::optional<PosePrior>& prior) {
   estimator_->start(prior);
   history_.clear();
   fix_covariance_.clear();
+  mirror_check_.clear();
+  told_.reset();
+  frozen_.reset();
   waiting_.clear();
   accepted_.fill(std::nullopt);
   has_odometry_ = false;
 }
-  mirror_check_.clear();
-  told_.reset();
-  frozen_.reset();
+
+void Localizer::tune(ParameterVisitor& field) {
+  parameters_.tunable(field);
+  fix_covariance_.set(parameters_.fix_covariance);
+}
 
 void Localizer::add(const OdometryIncrement& increment) {
   double from = increment.stamp - increment.duration;
@@ -64,6 +73,7 @@ void Localizer::add(const OdometryIncrement& increment) {
     if (to <= from) return;
     const OdometryIncrement part = lasting(increment, from, to);
     history_.add(part);
+    mirror_check_.add(part);
     driven_ += std::abs(part.speed) * part.duration;
     estimator_->predict(part);
     now_ = from = to;
@@ -73,7 +83,6 @@ void Localizer::add(const OdometryIncrement& increment) {
   while (!waiting_.empty() && stamp_of(waiting_.front()) <= increment.stamp) {
     const Measurement measurement = waiting_.front();
     waiting_.pop_front();
-    mirror_check_.add(part);
     advance(stamp_of(measurement));
     apply(measurement);
   }
@@ -120,6 +129,7 @@ Innovation Localizer::weigh(GnssFix& fix, MeasurementReport& report) {
   const double expected = innovation.covariance.trace();
   if (expected > 0.0) report.used_sigma = std::sqrt(0.5 * (expected + before.bias.squaredNorm()));
   const bool sound = innovation.accepted() || innovation.reason == Reason::kGated;
+  if (sound) mirror_check_.add(fix);
   if (sound && before.aligned) {
     fix_covariance_.observe(driven_, fix.position - before.pose * fix.antenna_in_base);
   }
@@ -127,16 +137,6 @@ Innovation Localizer::weigh(GnssFix& fix, MeasurementReport& report) {
   return innovation;
 }
 
-std::vector<MeasurementReport> Localizer::take_reports() { return std::exchange(reports_, {}); }
-
-  if (sound) mirror_check_.add(fix);
-Trust Localizer::state() const {
-  const PoseEstimate estimate = estimator_->estimate();
-  if (!has_odometry_ || !estimate.valid) return Trust::kNotReady;
-  if (!estimate.aligned || mirrored()) return Trust::kAligning;
-  const double variance = estimate.position_covariance_overall.trace();
-  if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return Trust::kLost;
-  if (now_ - last_accepted() > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
 void Localizer::tell_frozen(const GnssFix& fix, Reason& reason) {
   frozen_.reset();
   if (reason != Reason::kFrozen) {
@@ -151,6 +151,15 @@ void Localizer::tell_frozen(const GnssFix& fix, Reason& reason) {
   }
 }
 
+std::vector<MeasurementReport> Localizer::take_reports() { return std::exchange(reports_, {}); }
+
+Trust Localizer::state() const {
+  const PoseEstimate estimate = estimator_->estimate();
+  if (!has_odometry_ || !estimate.valid) return Trust::kNotReady;
+  if (!estimate.aligned || mirrored()) return Trust::kAligning;
+  const double variance = estimate.position_covariance_overall.trace();
+  if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return Trust::kLost;
+  if (now_ - last_accepted() > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
   const bool biased = estimate.shadow_probability > 0.5 || estimate.canyon_probability > 0.5;
   return biased ? Trust::kMultipath : Trust::kGood;
 }
@@ -176,6 +185,7 @@ std::string Localizer::missed() const {
 }
 
 std::string Localizer::state_reason() const {
+  const PoseEstimate estimate = estimator_->estimate();
   switch (state()) {
     case Trust::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
     case Trust::kAligning:
@@ -189,7 +199,6 @@ std::string Localizer::state_reason() const {
              " under open sky";
     case Trust::kGood: return basis() + " agree with odometry" + missed();
     case Trust::kMultipath: return basis() + " are biased, the bias is being tracked" + missed();
-  const PoseEstimate estimate = estimator_->estimate();
     case Trust::kDeadReckoning:
       return std::string(frozen_ ? "receiver frozen" : "no usable fix") + ", running on odometry";
     case Trust::kLost: return "position too uncertain to drive by";

@@ -47,6 +47,11 @@ MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterPa
       alignment_(parameters.alignment_length, parameters.classes.street.quiet_sigma,
                  parameters.alignment_variance_floor) {}
 
+void MultipathParticleFilter::tune(ParameterVisitor& field) {
+  parameters_.tunable(field);
+  odometry_.set_noise(parameters_.odometry);
+}
+
 void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   if (!usable(u)) return;
   now_ = u.stamp;
@@ -131,7 +136,8 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
   reweigh(particles_, log_likelihood, std::min(1.0, class_time / parameters_.class_evidence_time));
   refresh_cluster();
   RandomStream resampling(seed_, step_, kResampling);
-  resample_banks(particles_, parameters_.class_floor, parameters_.ess_fraction, resampling);
+  resample_banks(particles_, static_cast<std::size_t>(parameters_.particles), parameters_.class_floor,
+                 parameters_.ess_fraction, resampling);
   ++step_;
   last_fix_ = now_;
   distance_since_fix_ = 0.0;
@@ -213,14 +219,14 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   const Eigen::Matrix2d floor = square(parameters_.position_sigma_floor) * Eigen::Matrix2d::Identity();
   result.valid = true;
   result.aligned = confirmed_ || settled_over_ > parameters_.confirm_distance;
+  result.way_to_alignment =
+      std::max(0.0, parameters_.confirm_distance - std::max(confirmed_over_, settled_over_));
   result.pose = belief.pose();
   result.covariance = belief.covariance.topLeftCorner<3, 3>();
   result.covariance.topLeftCorner<2, 2>() += floor;
   result.dominance = cluster_.mass;
   result.position_covariance_overall = cluster_.overall_position_covariance + floor;
   result.shadow_probability = cluster_.shadow;
-  result.way_to_alignment =
-      std::max(0.0, parameters_.confirm_distance - std::max(confirmed_over_, settled_over_));
   result.canyon_probability = class_probability_[kCanyon];
   result.wheel_fault_probability = class_probability_[kWheelFault];
   result.bias = belief.mean.tail<2>();

@@ -3,6 +3,11 @@
 namespace multipath_localization {
 
 void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
+  tunable(field);
+  field.group("classes", classes, "kinds of place and receiver");
+}
+
+void MultipathParticleFilterParameters::tunable(ParameterVisitor& field) {
   field("particles", particles, {20, 100000}, "1", "hypotheses, each with a Kalman filter of its own");
   field("ess_fraction", ess_fraction, {0.0, 1.0}, "1",
         "resample below this effective share of a class's hypotheses");
@@ -29,7 +34,6 @@ void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
   field("position_sigma_floor", position_sigma_floor, {0.0, 100.0}, "m",
         "added to the published position: no covariance is believed below it");
   field.group("odometry", odometry, "how far the wheel odometry can be trusted");
-  field.group("classes", classes, "kinds of place and receiver");
 }
 
 }  // namespace multipath_localization

@@ -33,7 +33,8 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           [this](const sensor_msgs::NavSatFix& fix) { on_unpaired(fix); }),
       odometry_input_("odom", {node.subscribe("odom", 1000, &LocalizationNode::on_odometry, this, at_once())},
                       true),
-      diagnostics_(gnss_, odometry_input_, localizer_, tf_, parameters_) {
+      diagnostics_(gnss_, odometry_input_, localizer_, tf_, parameters_),
+      reconfiguration_(private_node, [this](ParameterVisitor& field) { tune(field); }) {
   initial_pose_ = node.subscribe("initialpose", 5, &LocalizationNode::on_pose, this);
   pose_to_set_ = node.subscribe("set_pose", 5, &LocalizationNode::on_pose, this);
   set_pose_ = node.advertiseService("set_pose", &LocalizationNode::on_set_pose, this);
@@ -54,6 +55,14 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
            gnss_.described().c_str(), odometry_input_.described().c_str(),
            parameters_.frames.map_frame.c_str(), parameters_.frames.odom_frame.c_str(),
            parameters_.frames.base_link_frame.c_str());
+}
+
+void LocalizationNode::tune(ParameterVisitor& field) {
+  map_to_odom_.tune(field);
+  VisitedGroup localizer{[this](ParameterVisitor& inner) { localizer_.tune(inner); }};
+  VisitedGroup estimator{[this](ParameterVisitor& inner) { localizer_.tune_estimator(inner); }};
+  field.group("localizer", localizer, "");
+  field.group(parameters_.estimator, estimator, "");
 }
 
 void LocalizationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) {

@@ -311,6 +311,45 @@ TEST_F(LocalizerTest, AReceiverIsFrozenOnceTheRobotHasDrivenOn) {
   EXPECT_FALSE(localizer->frozen());
 }
 
+TEST_F(LocalizerTest, IsTunedWhileItRuns) {
+  recorder->estimate_.valid = recorder->estimate_.aligned = true;
+  drive(1.0);
+  EXPECT_EQ(localizer->state(), Trust::kGood);
+  load_fields(
+      YAML::Load("{lost_sigma: 0.5, fix_covariance: {source: fixed, fixed_sigma: 7}}"),
+      [&](ParameterVisitor& field) { localizer->tune(field); }, "");
+  EXPECT_EQ(localizer->state(), Trust::kLost);
+  localizer->add(Measurement(fix_at(now)));
+  EXPECT_EQ(recorder->covariances.back()(0, 0), 49.0);
+  EXPECT_EQ(recorder->starts, 1);
+}
+
+TEST_F(LocalizerTest, MirroredOdometryConfirmsNoPose) {
+  recorder->estimate_.valid = recorder->estimate_.aligned = true;
+  Pose2 truth;
+  const auto turn = [&](double sign) {
+    for (int i = 0; i < 300; ++i) {
+      const OdometryIncrement u{now + kStep, kStep, 1.0, 0.2};
+      now += kStep;
+      truth = truth * displacement(u);
+      localizer->add({u.stamp, u.duration, u.speed, sign * u.yaw_rate});
+      GnssFix fix;
+      fix.stamp = now;
+      fix.position = truth.position();
+      if (i % 5 == 0) localizer->add(Measurement(fix));
+    }
+  };
+  turn(1.0);
+  EXPECT_EQ(localizer->state(), Trust::kGood);
+  localizer->start(std::nullopt);
+  recorder->estimate_.aligned = true;
+  turn(-1.0);
+  EXPECT_EQ(localizer->state(), Trust::kAligning);
+  EXPECT_NE(localizer->state_reason().find("mirrored, or NED"), std::string::npos);
+  localizer->start(std::nullopt);
+  EXPECT_FALSE(localizer->mirrored());
+}
+
 TEST_F(LocalizerTest, OnlyAnAcceptedFixEndsDeadReckoning) {
   recorder->estimate_.valid = recorder->estimate_.aligned = true;
   drive(LocalizerParameters{}.dead_reckoning_after + 1.0);

@@ -373,5 +373,27 @@ TEST(MultipathParticleFilter, SaysHowFarToDriveUntilItIsConfirmed) {
   EXPECT_LE(localizer.estimate().way_to_alignment, 0.1 * whole);
 }
 
+TEST(MultipathParticleFilter, IsTunedWithoutMovingItsPose) {
+  SimulatedDrive robot(6);
+  Localizer localizer = default_localizer(6);
+  robot.run(localizer, 60.0);
+  ASSERT_TRUE(localizer.estimate().aligned);
+  for (const std::size_t particles : {100U, 900U}) {
+    const std::vector<double> before = numbers_of(localizer.estimate());
+    load_fields(
+        YAML::Load("{particles: " + std::to_string(particles) + ", odometry: {distance: 0.02}}"),
+        [&](ParameterVisitor& field) { localizer.tune_estimator(field); }, "");
+    EXPECT_EQ(numbers_of(localizer.estimate()), before);
+    robot.run(localizer, 5.0);
+    EXPECT_EQ(localizer.hypotheses().size(), particles);
+    EXPECT_TRUE(localizer.estimate().aligned);
+    EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
+  }
+  load_fields(
+      YAML::Load("{position_sigma_floor: 7}"),
+      [&](ParameterVisitor& field) { localizer.tune_estimator(field); }, "");
+  EXPECT_GT(localizer.estimate().covariance(0, 0), 49.0);
+}
+
 }  // namespace
 }  // namespace multipath_localization

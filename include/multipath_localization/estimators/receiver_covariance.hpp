@@ -28,6 +28,7 @@ class ReceiverCovariance {
  public:
   explicit ReceiverCovariance(const ReceiverCovarianceParameters& parameters) : parameters_(parameters) {}
 
+  void set(const ReceiverCovarianceParameters& parameters) { parameters_ = parameters; }
   void clear() { deviations_.clear(); }
 
   /// A fix lay `deviation` [m] from the antenna of a pose that is settled, after the robot has driven a way
