@@ -21,7 +21,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
                                    const LocalizationSettings& settings)
     : parameters_(settings.parameters),
       localizer_(settings.make_estimator(), parameters_.localizer),
-      datum_(parameters_.datum, parameters_.datum_averaging, parameters_.datum_file),
+      datum_(parameters_.datum.place(), parameters_.datum_averaging, parameters_.datum_file),
       map_services_(node, datum_, parameters_.frames.map_frame, [this] { forget("a datum was set"); }),
       odometry_reader_(parameters_.odometry, parameters_.frames.map_frame),
       tf_(node, parameters_.frames),

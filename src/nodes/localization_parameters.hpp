@@ -8,12 +8,13 @@
 
 #include "multipath_localization/estimators/localizer.hpp"
 #include "nodes/correction_slew.hpp"
+#include "nodes/datum_parameter.hpp"
 #include "nodes/gnss_message.hpp"
 #include "nodes/odometry_reader.hpp"
 
 namespace multipath_localization {
 
-/// Names of the frames of REP-105.
+/// Names of the frames of REP-105; a leading slash, which tf2 knows none of, is left out.
 struct FrameParameters {
   std::string map_frame = "map";
   std::string odom_frame = "odom";
@@ -43,15 +44,15 @@ struct LocalizationParameters {
   int seed = 1;
   FrameParameters frames;
   OutputParameters outputs;
-  std::vector<double> datum;
+  DatumParameter datum;
   std::string datum_file;
   double datum_averaging = 0.0;
   GnssParameters gnss;
   OdometryParameters odometry;
   LocalizerParameters localizer;
 
-  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude, on
-  /// a file for it that is no absolute path, and on both.
+  /// Throws ParameterError on a datum that cannot be used, on a file for it that is no absolute path, and on
+  /// both.
   void fields(ParameterVisitor& field);
 };
 
