@@ -12,15 +12,15 @@ export ROS_HOME=$build_dir/ros
 
 # Debian 12's packages, by what needs them. On Noetic package.xml says the same to rosdep.
 build_packages=(
-  build-essential catkin cmake libdiagnostic-msgs-dev libdiagnostic-updater-dev libeigen3-dev
-  libgeographiclib-dev libgeometry-msgs-dev libnav-msgs-dev librosbag-dev libsensor-msgs-dev
-  libstd-srvs-dev libtf2-geometry-msgs-dev libtf2-ros-dev libvisualization-msgs-dev libyaml-cpp-dev
-  ros-core-dev ros-message-generation ros-message-runtime
+  build-essential catkin cmake libdiagnostic-msgs-dev libdiagnostic-updater-dev
+  libdynamic-reconfigure-config-init-mutex-dev libeigen3-dev libgeographiclib-dev libgeometry-msgs-dev
+  libnav-msgs-dev librosbag-dev libsensor-msgs-dev libstd-srvs-dev libtf2-geometry-msgs-dev libtf2-ros-dev
+  libvisualization-msgs-dev libyaml-cpp-dev ros-core-dev ros-message-generation ros-message-runtime
 )
 run_packages=(
-  python3-diagnostic-msgs python3-geometry-msgs python3-matplotlib python3-nav-msgs python3-rosbag
-  python3-roslaunch python3-rospy python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf2-ros
-  python3-visualization-msgs python3-yaml rosout
+  python3-diagnostic-msgs python3-dynamic-reconfigure python3-geometry-msgs python3-matplotlib
+  python3-nav-msgs python3-rosbag python3-roslaunch python3-rospy python3-sensor-msgs python3-std-msgs
+  python3-std-srvs python3-tf2-ros python3-visualization-msgs python3-yaml rosout
 )
 test_packages=(
   catkin-lint clang-format clang-tidy git libbenchmark-dev libgtest-dev python3-nose python3-rostest python3-rosunit rviz

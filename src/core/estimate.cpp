@@ -14,6 +14,7 @@ std::string_view to_string(Reason reason) {
     case Reason::kInvalidPosition: return "invalid position";
     case Reason::kNoFix: return "no fix";
     case Reason::kFrozen: return "frozen";
+    case Reason::kRepeated: return "repeated";
     case Reason::kGated: return "gated";
     case Reason::kZeroStamp: return "zero stamp";
     case Reason::kFutureStamp: return "future stamp";

@@ -1,6 +1,7 @@
 #include "multipath_localization/estimators/chord_alignment.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "multipath_localization/estimators/fix_check.hpp"
@@ -40,6 +41,7 @@ void ChordAlignment::start(const std::optional<PosePrior>& prior) {
   base_in_odom_ = Pose2{};
   moving_time_ = 0.0;
   anchor_.reset();
+  missing_ = parameters_.alignment_distance;
   started_ = aligned_ = false;
   if (!prior || !usable(*prior)) return;
   state_.mean.head<3>() << prior->pose.x, prior->pose.y, wrap_angle(prior->pose.yaw);
@@ -87,7 +89,8 @@ void ChordAlignment::try_to_align(const GnssFix& fix, const Eigen::Matrix2d& R) 
   const Eigen::Vector2d seen = here.antenna_in_map - anchor_->antenna_in_map;
   const double sigma = std::sqrt(0.5 * (anchor_->covariance + R).trace());
   const double chord = driven.norm();
-  if (chord < parameters_.alignment_distance || sigma > parameters_.alignment_yaw_sigma * chord) return;
+  missing_ = std::max(parameters_.alignment_distance, sigma / parameters_.alignment_yaw_sigma) - chord;
+  if (missing_ > 0.0) return;
   const double mismatch = std::abs(seen.norm() - chord);
   if (mismatch > kChordMismatchSigmas * sigma + kChordMismatchShare * chord) {
     anchor_ = here;  // one of the two ends was an outlier, or the wheels slipped

@@ -27,8 +27,7 @@ FixCandidate FixModes::base(const FixMode& from, const FixMode& to) const {
   const ReceiverClass& c = receiver_;
   FixCandidate candidate;
   candidate.mode = to;
-  const double noisy_variance = std::max(square(c.noisy_sigma), 9.0 * square(c.quiet_sigma));
-  candidate.fix_variance = to.noisy ? noisy_variance : square(c.quiet_sigma);
+  candidate.fix_variance = c.noise_variance(to.noisy);
   candidate.keeps_bias = from.shadow == to.shadow;
   if (!candidate.keeps_bias) {
     candidate.bias_variance = square(to.shadow ? c.shadow_entry_sigma : c.open_bias_sigma);

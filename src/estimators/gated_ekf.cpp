@@ -31,6 +31,7 @@ void GatedEkf::start(const std::optional<PosePrior>& prior) {
   fix_check_.forget();
   rejections_.end();
   tracked_.reset();
+  alignment_ = ChordAlignment(parameters_.alignment, parameters_.odometry);
   alignment_.start(prior);
   now_ = alignment_.started() ? prior->stamp : 0.0;
   if (alignment_.aligned()) tracked_ = alignment_.state();
@@ -84,6 +85,7 @@ PoseEstimate GatedEkf::estimate() const {
   result.valid = true;
   result.aligned =
       tracked_ && tracked_->covariance(kYaw, kYaw) < square(parameters_.alignment.alignment_yaw_sigma);
+  if (!tracked_) result.way_to_alignment = alignment_.missing();
   result.pose = odometry_state::pose(belief().mean);
   result.covariance = belief().covariance.topLeftCorner<3, 3>();
   result.position_covariance_overall = belief().covariance.topLeftCorner<2, 2>();

@@ -212,14 +212,14 @@ void reweigh(std::vector<BeliefParticle>& particles, const std::vector<double>& 
   for (BeliefParticle& particle : particles) particle.weight /= total;
 }
 
-void resample_banks(std::vector<BeliefParticle>& particles, double floor, double ess_fraction,
-                    RandomStream& random) {
+void resample_banks(std::vector<BeliefParticle>& particles, std::size_t count, double floor,
+                    double ess_fraction, RandomStream& random) {
   const auto banks = banks_of(particles);
-  const ClassCounts counts = class_counts(class_weights(particles), particles.size(), floor);
+  const ClassCounts counts = class_counts(class_weights(particles), count, floor);
   const auto depleted = depleted_banks(banks, counts, particles, ess_fraction);
   if (!depleted) return;
   std::vector<BeliefParticle> next;
-  next.reserve(particles.size());
+  next.reserve(count);
   for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
     const double u = random.uniform();
     if (counts[k] == 0) continue;

@@ -50,6 +50,12 @@ MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterPa
       alignment_(parameters.alignment_length, parameters.classes.street.quiet_sigma,
                  parameters.alignment_variance_floor) {}
 
+void MultipathParticleFilter::tune(ParameterVisitor& field) {
+  parameters_.tunable(field);
+  odometry_.set_noise(parameters_.odometry);
+  odometry_jump_ = OdometryJump(parameters_.odometry_jump, parameters_.odometry);
+}
+
 void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   if (!usable(u)) return;
   now_ = u.stamp;
@@ -93,12 +99,16 @@ Innovation MultipathParticleFilter::update(const Measurement& z) {
 
 Innovation MultipathParticleFilter::innovation(const GnssFix& fix) const {
   const FixPrediction prediction(cluster_.belief, fix.antenna_in_base);
+  double noise_variance = 0.0;
+  for (const BeliefParticle& particle : particles_) {
+    noise_variance +=
+        particle.weight * parameters_.classes[particle.receiver].noise_variance(particle.mode.noisy);
+  }
   Innovation result;
   result.reason = Reason::kAccepted;
   result.innovation = fix.position - prediction.antenna - prediction.bias;
   result.covariance = prediction.antenna_covariance + prediction.cross_covariance +
-                      prediction.bias_covariance +
-                      square(parameters_.classes.street.quiet_sigma) * Eigen::Matrix2d::Identity();
+                      prediction.bias_covariance + noise_variance * Eigen::Matrix2d::Identity();
   result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
   return result;
 }
@@ -137,7 +147,8 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
   reweigh(particles_, log_likelihood, std::min(1.0, class_time / parameters_.class_evidence_time));
   refresh_cluster();
   RandomStream resampling(seed_, step_, kResampling);
-  resample_banks(particles_, parameters_.class_floor, parameters_.ess_fraction, resampling);
+  resample_banks(particles_, static_cast<std::size_t>(parameters_.particles), parameters_.class_floor,
+                 parameters_.ess_fraction, resampling);
   ++step_;
   last_fix_ = now_;
   distance_since_fix_ = 0.0;
@@ -222,6 +233,8 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   const double least_sigma =
       result.aligned ? parameters_.position_sigma_floor : parameters_.unconfirmed_sigma;
   const Eigen::Matrix2d floor = square(least_sigma) * Eigen::Matrix2d::Identity();
+  result.way_to_alignment =
+      std::max(0.0, parameters_.confirm_distance - std::max(confirmed_over_, settled_over_));
   result.pose = belief.pose();
   result.covariance = caution * belief.covariance.topLeftCorner<3, 3>();
   result.covariance.topLeftCorner<2, 2>() += floor;

@@ -3,6 +3,11 @@
 namespace multipath_localization {
 
 void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
+  tunable(field);
+  field.group("classes", classes, "kinds of place and receiver");
+}
+
+void MultipathParticleFilterParameters::tunable(ParameterVisitor& field) {
   field("particles", particles, {20, 100000}, "1", "hypotheses, each with a Kalman filter of its own");
   field("ess_fraction", ess_fraction, {0.0, 1.0}, "1",
         "resample below this effective share of a class's hypotheses");
@@ -34,7 +39,6 @@ void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
         "added instead until the pose is confirmed: it may have started in a shadow");
   field.group("odometry", odometry, "how far the wheel odometry can be trusted");
   field.group("odometry_jump", odometry_jump, "when the wheel odometry is suspected of a fault");
-  field.group("classes", classes, "kinds of place and receiver");
 }
 
 }  // namespace multipath_localization

@@ -29,8 +29,9 @@ std::vector<std::size_t> interleaved(const ReceiverClasses& classes, std::size_t
 void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
   particles_.clear();
   odometry_.restart(0.0, 0.0);
-  alignment_.clear();
-  odometry_jump_.clear();
+  alignment_ = RigidAlignment(parameters_.alignment_length, parameters_.classes.street.quiet_sigma,
+                              parameters_.alignment_variance_floor);
+  odometry_jump_ = OdometryJump(parameters_.odometry_jump, parameters_.odometry);
   fix_check_.forget();
   distance_since_fix_ = usual_speed_ = suspected_for_ = confirmed_over_ = settled_over_ = 0.0;
   confirmed_ = false;

@@ -48,11 +48,4 @@ bool OdometryJump::take() {
   return jump;
 }
 
-void OdometryJump::clear() {
-  last_but_one_.reset();
-  last_.reset();
-  current_ = {};
-  jump_ = false;
-}
-
 }  // namespace multipath_localization

@@ -192,6 +192,7 @@ PoseEstimate TwoStageEkf::estimate() const {
   const State x = state();
   result.valid = true;
   result.aligned = tracked_ && x.covariance(kYaw, kYaw) < square(parameters_.alignment.alignment_yaw_sigma);
+  if (!tracked_) result.way_to_alignment = alignment_.missing();
   result.pose = odometry_state::pose(x.mean);
   result.covariance = x.covariance.topLeftCorner<3, 3>();
   result.position_covariance_overall = x.covariance.topLeftCorner<2, 2>();

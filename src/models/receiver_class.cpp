@@ -1,6 +1,13 @@
 #include "multipath_localization/models/receiver_class.hpp"
 
+#include <algorithm>
+
 namespace multipath_localization {
+
+double ReceiverClass::noise_variance(bool noisy) const {
+  const double quiet = quiet_sigma * quiet_sigma;
+  return noisy ? std::max(noisy_sigma * noisy_sigma, 9.0 * quiet) : quiet;
+}
 
 void ReceiverClass::fields(ParameterVisitor& field) {
   field("prior", prior, {0.0, 1.0}, "1", "probability of this class at start");

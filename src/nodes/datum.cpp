@@ -37,10 +37,10 @@ std::string text_of(const LocalFrame& map) {
 
 }  // namespace
 
-Datum::Datum(const std::vector<double>& configured, double averaging, std::string file)
+Datum::Datum(const std::optional<Geodetic>& configured, double averaging, std::string file)
     : averaging_(averaging), file_(std::move(file)) {
-  if (configured.size() >= 2) {
-    map_.emplace(Geodetic{configured[0], configured[1], configured.size() > 2 ? configured[2] : 0.0});
+  if (configured) {
+    map_.emplace(*configured);
   } else if (const auto saved = file_.empty() ? std::nullopt : read_datum(file_)) {
     map_.emplace(*saved);
     ROS_INFO("datum of map: %s, from %s", text_of(*map_).c_str(), file_.c_str());

@@ -12,10 +12,10 @@ namespace multipath_localization {
 /// stays until it is set anew, whatever restarts.
 class Datum {
  public:
-  /// `configured` is empty or [latitude, longitude, altitude?] in degrees and metres; `averaging` in seconds.
+  /// `configured`: the place told, or nothing; `averaging` in seconds.
   /// Where nothing is configured the datum is that of `file`, and one that comes later is saved there; empty:
   /// no file. Throws ParameterError when the file is damaged.
-  Datum(const std::vector<double>& configured, double averaging, std::string file = "");
+  Datum(const std::optional<Geodetic>& configured, double averaging, std::string file = "");
 
   /// Takes where the antenna was at `stamp` [s] while no datum is set.
   void add(double stamp, const Geodetic& place);

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 namespace multipath_localization {
 
 namespace {
 
 constexpr double kUnknownHeightSigma = 100.0;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kX = 0, kY = 7, kYaw = 35, kXY = 1, kXYaw = 5, kYYaw = 11;  ///< in a row-major 6x6
 constexpr std::size_t kYX = 6, kYawX = 30, kYawY = 31;                            ///< their mirror images
 
@@ -98,8 +101,23 @@ FixReport to_report(const GnssMessage& message) {
   report.header = header_of(message);
   report.kind = kGnssKinds[message.index()];
   report.declared_sigma = declared_sigma(message);
+  report.observed_sigma = report.used_sigma = kNan;
   report.satellites = static_cast<std::uint32_t>(satellites_of(message));
   return report;
+}
+
+std::string sigmas_told(const FixReport& report) {
+  std::string text;
+  const auto add = [&](const char* what, double sigma) {
+    if (!std::isfinite(sigma)) return;
+    char figure[50];
+    std::snprintf(figure, sizeof(figure), "%s %.2f m", what, sigma);
+    text += (text.empty() ? "" : ", ") + std::string(figure);
+  };
+  add("declared", report.declared_sigma);
+  add("observed", report.observed_sigma);
+  add("using", report.used_sigma);
+  return text;
 }
 
 FixReport concluded(FixReport report, const Innovation& innovation, double now) {

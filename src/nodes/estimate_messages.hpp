@@ -42,6 +42,9 @@ LocalizationState to_state(const Localizer& localizer, const std_msgs::Header& h
 /// A report on a measurement that has just come in: what it says of itself.
 FixReport to_report(const GnssMessage& message);
 
+/// "declared 0.10 m, observed 4.20 m, using 4.50 m": what there is to say of how far off fixes are.
+std::string sigmas_told(const FixReport& report);
+
 /// The report with what became of the measurement, at `now` [s, 0 for not known].
 FixReport concluded(FixReport report, const Innovation& innovation, double now);
 

@@ -19,12 +19,8 @@ bool same(const OdometryIncrement& a, const OdometryIncrement& b) {
 
 void FaultInjectorParameters::fields(ParameterVisitor& field) {
   field("seed", seed, {0, 2147483647}, "1", "of all random numbers: same seed, same faults");
-  field("datum", datum, {-180.0, 1e5}, "deg, deg, m",
-        "latitude, longitude and perhaps altitude of the origin of the zones' map; empty: the first fix");
+  datum.fields(field);
   faults.fields(field);
-  if (!datum.empty() && (datum.size() < 2 || datum.size() > 3 || !valid({datum[0], datum[1], 0.0}))) {
-    throw ParameterError("datum is not [latitude, longitude] or [latitude, longitude, altitude]");
-  }
 }
 
 std::vector<sensor_msgs::NavSatFix> FaultInjector::take(const sensor_msgs::NavSatFix& fix) {
@@ -32,11 +28,7 @@ std::vector<sensor_msgs::NavSatFix> FaultInjector::take(const sensor_msgs::NavSa
   const double stamp = fix.header.stamp.toSec();
   see(stamp, stamp < last_fix_ - kTimeJump);
   last_fix_ = stamp;
-  if (!map_) {
-    const std::vector<double>& datum = parameters_.datum;
-    map_.emplace(datum.empty() ? to_geodetic(fix)
-                               : Geodetic{datum[0], datum[1], datum.size() > 2 ? datum[2] : fix.altitude});
-  }
+  if (!map_) map_.emplace(parameters_.datum.place(fix.altitude).value_or(to_geodetic(fix)));
   const CheckedFix checked = to_fix(fix, *map_, FixParameters{});
   if (checked.reason != Reason::kAccepted) return {fix};
   if (fix_faults_->take(checked.fix, now_)) taken_fixes_[taken_] = fix;
@@ -76,7 +68,7 @@ void FaultInjector::begin(double stamp) {
   taken_ = 0;
   taken_fixes_.clear();
   spoilt_in_odom_.reset();
-  if (parameters_.datum.empty()) map_.reset();
+  if (!parameters_.datum.given()) map_.reset();
 }
 
 std::vector<sensor_msgs::NavSatFix> FaultInjector::release() {

@@ -10,6 +10,7 @@
 
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/simulation/faults.hpp"
+#include "nodes/datum_parameter.hpp"
 #include "nodes/odometry_reader.hpp"
 
 namespace multipath_localization {
@@ -17,10 +18,10 @@ namespace multipath_localization {
 /// Parameters of fault_injector_node, and what `evaluate --faults` reads.
 struct FaultInjectorParameters {
   int seed = 1;
-  std::vector<double> datum;
+  DatumParameter datum;
   FaultParameters faults;
 
-  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude.
+  /// Throws ParameterError on a datum that cannot be used.
   void fields(ParameterVisitor& field);
 };
 

@@ -8,7 +8,7 @@ namespace {
 /// For a launch file that has to tell localization_node where the drive's map is.
 int print_datum(const std::string& directory) {
   const multipath_localization::Geodetic datum = multipath_localization::read_drive(directory).datum;
-  std::printf("[%.10f, %.10f, %.4f]\n", datum.latitude_deg, datum.longitude_deg, datum.altitude);
+  std::printf("[%.10f, %.10f, 0.0, %.4f]\n", datum.latitude_deg, datum.longitude_deg, datum.altitude);
   return 0;
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "nodes/estimate_messages.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -76,14 +78,7 @@ bool LocalizationDiagnostics::set_antenna_frame(const std::string& frame, bool k
   return false;
 }
 
-void LocalizationDiagnostics::Figures::add(const FixReport& report) {
-  last = report;
-  if (report.predicted_sigma <= 0.0) return;
-  sum_of_squared_innovations += std::pow(report.innovation_x, 2) + std::pow(report.innovation_y, 2);
-  ++innovations;
-}
-
-void LocalizationDiagnostics::Figures::tell(Status& status) {
+void LocalizationDiagnostics::Figures::tell(Status& status) const {
   if (last.sequence == 0) return;
   status.add("last reason", last.reason);
   status.add("age [s]", last.age);
@@ -92,28 +87,39 @@ void LocalizationDiagnostics::Figures::tell(Status& status) {
     status.add("usable satellites", last.usable_satellites);
   } else {
     status.add("declared sigma [m]", last.declared_sigma);
+    status.add("observed sigma [m]", last.observed_sigma);
+    status.add("used sigma [m]", last.used_sigma);
   }
   status.add("predicted sigma of innovation [m]", last.predicted_sigma);
-  if (innovations > 0) {
-    status.add("observed sigma of innovation [m]", std::sqrt(0.5 * sum_of_squared_innovations / innovations));
-  }
-  sum_of_squared_innovations = 0.0;
-  innovations = 0;
 }
 
 void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
   const InputMonitor& input = gnss_.of(kind);
   summarise_input(status, input, figures_[kind].refused);
+  const std::optional<FrozenReceiver>& frozen = localizer_.frozen();
+  if (kind == kFixKind && frozen && input.silence() < kLongSilence) {
+    status.summaryf(DiagnosticStatus::ERROR,
+                    "receiver frozen %.0f s, the robot has driven %.0f m meanwhile: restart its driver",
+                    frozen->duration, frozen->driven);
+  }
   if (!input.awaited()) {
     status.summary(DiagnosticStatus::OK, parameters_.estimator + " has no use for it");
   } else if (!input.seen() && gnss_.silence() < kLongSilence) {
     status.summary(DiagnosticStatus::OK, "does not come and is not needed");
+  } else if (const std::string sigmas = sigmas_told(figures_[kind].last);
+             status.level == DiagnosticStatus::OK && !sigmas.empty()) {
+    status.summary(DiagnosticStatus::OK, status.message + ": " + sigmas);
   }
   figures_[kind].tell(status);
 }
 
 void LocalizationDiagnostics::report_odometry(Status& status) {
   summarise_input(status, odometry_, refused_odometry_);
+  if (localizer_.mirrored()) {
+    status.summary(
+        DiagnosticStatus::ERROR,
+        "turns the other way round than the fixes: mirrored, or NED; yaw is to be counter-clockwise");
+  }
 }
 
 void LocalizationDiagnostics::report_filter(Status& status) {

@@ -22,7 +22,7 @@ class LocalizationDiagnostics {
   LocalizationDiagnostics(const GnssInputs& gnss, const InputMonitor& odometry, const Localizer& localizer,
                           const TfWatch& tf, const LocalizationParameters& parameters);
 
-  /// Publishes all and starts new averages. To be called at a steady rate.
+  /// Publishes all. To be called at a steady rate.
   void report();
 
   void add(const FixReport& report, std::size_t kind) { figures_[kind].add(report); }
@@ -38,15 +38,13 @@ class LocalizationDiagnostics {
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
   /// What the reports on one kind of measurement say.
   struct Figures {
-    void add(const FixReport& report);
-    /// Adds them to a status and starts new averages.
-    void tell(Status& status);
+    void add(const FixReport& report) { last = report; }
+    /// Adds them to a status.
+    void tell(Status& status) const;
 
     bool shown = false;
     unsigned refused = 0;  ///< when last told
     FixReport last;
-    double sum_of_squared_innovations = 0.0;
-    unsigned innovations = 0;
   };
 
   void report_gnss(Status& status, std::size_t kind);

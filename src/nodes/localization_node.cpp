@@ -21,7 +21,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
                                    const LocalizationSettings& settings)
     : parameters_(settings.parameters),
       localizer_(settings.make_estimator(), parameters_.localizer),
-      datum_(parameters_.datum, parameters_.datum_averaging, parameters_.datum_file),
+      datum_(parameters_.datum.place(), parameters_.datum_averaging, parameters_.datum_file),
       map_services_(node, datum_, parameters_.frames.map_frame, [this] { forget("a datum was set"); }),
       odometry_reader_(parameters_.odometry, parameters_.frames.map_frame),
       tf_(node, parameters_.frames),
@@ -33,7 +33,8 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           [this](const sensor_msgs::NavSatFix& fix) { on_unpaired(fix); }),
       odometry_input_("odom", {node.subscribe("odom", 1000, &LocalizationNode::on_odometry, this, at_once())},
                       true),
-      diagnostics_(gnss_, odometry_input_, localizer_, tf_, parameters_) {
+      diagnostics_(gnss_, odometry_input_, localizer_, tf_, parameters_),
+      reconfiguration_(private_node, [this](ParameterVisitor& field) { tune(field); }) {
   initial_pose_ = node.subscribe("initialpose", 5, &LocalizationNode::on_pose, this);
   pose_to_set_ = node.subscribe("set_pose", 5, &LocalizationNode::on_pose, this);
   set_pose_ = node.advertiseService("set_pose", &LocalizationNode::on_set_pose, this);
@@ -54,6 +55,14 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
            gnss_.described().c_str(), odometry_input_.described().c_str(),
            parameters_.frames.map_frame.c_str(), parameters_.frames.odom_frame.c_str(),
            parameters_.frames.base_link_frame.c_str());
+}
+
+void LocalizationNode::tune(ParameterVisitor& field) {
+  map_to_odom_.tune(field);
+  VisitedGroup localizer{[this](ParameterVisitor& inner) { localizer_.tune(inner); }};
+  VisitedGroup estimator{[this](ParameterVisitor& inner) { localizer_.tune_estimator(inner); }};
+  field.group("localizer", localizer, "");
+  field.group(parameters_.estimator, estimator, "");
 }
 
 void LocalizationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) {
@@ -154,7 +163,8 @@ void LocalizationNode::publish_poses() {
     outputs_.publish(localizer_, then, odometry.message, *datum_.map());
     diagnostics_.add_pose();
   }
-  map_to_odom_.send(odom_in_map, odometry_stamp(), ros::Time::now());
+  if (!estimate.aligned) map_to_odom_.jump();
+  map_to_odom_.send(odom_in_map, odometry_->base_in_odom, odometry_stamp(), ros::Time::now());
 }
 
 void LocalizationNode::publish_reports() {
@@ -162,6 +172,8 @@ void LocalizationNode::publish_reports() {
     std::optional<FixReport> report = reports_.close(kGnssKinds[done.measurement.index()], done.stamp);
     if (!report) continue;
     report->usable_satellites = static_cast<std::uint32_t>(satellites_of(done.measurement));
+    if (done.observed_sigma) report->observed_sigma = *done.observed_sigma;
+    if (done.used_sigma) report->used_sigma = *done.used_sigma;
     publish(*report, done.innovation);
     outputs_.publish_bias(localizer_.estimate(), odometry_stamp());
   }

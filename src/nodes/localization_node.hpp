@@ -20,6 +20,7 @@
 #include "nodes/localization_parameters.hpp"
 #include "nodes/map_services.hpp"
 #include "nodes/map_to_odom.hpp"
+#include "nodes/reconfiguration.hpp"
 #include "nodes/report_ledger.hpp"
 #include "nodes/tf_watch.hpp"
 
@@ -70,6 +71,8 @@ class LocalizationNode {
   /// The same, and the next odometry is a first one.
   void forget(const std::string& why);
   void watch_clock();
+  /// Shows all that may change while it runs to a visitor that may change it.
+  void tune(ParameterVisitor& field);
   void tell_what_is_missing();
 
   LocalizationParameters parameters_;
@@ -85,6 +88,8 @@ class LocalizationNode {
   GnssInputs gnss_;
   InputMonitor odometry_input_;
   LocalizationDiagnostics diagnostics_;
+
+  Reconfiguration reconfiguration_;
 
   bool enabled_ = true;
   ros::Time latest_clock_;

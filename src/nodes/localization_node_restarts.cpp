@@ -48,6 +48,7 @@ void LocalizationNode::restart(const std::string& why, const std::optional<PoseP
   diagnostics_.note("started afresh: " + why);
   publish_reports();
   localizer_.start(prior);
+  map_to_odom_.jump();
   early_.clear();
   unanswered_.clear();
   gnss_.clear();

@@ -10,6 +10,7 @@ void FrameParameters::fields(ParameterVisitor& field) {
   field("map_frame", map_frame, {}, "frame the pose is given in, ENU at the datum");
   field("odom_frame", odom_frame, {}, "frame the odometry is given in");
   field("base_link_frame", base_link_frame, {}, "frame of the base, x forward");
+  for (std::string* frame : {&map_frame, &odom_frame, &base_link_frame}) *frame = without_slash(*frame);
 }
 
 void OutputParameters::fields(ParameterVisitor& field) {
@@ -19,6 +20,7 @@ void OutputParameters::fields(ParameterVisitor& field) {
   field("transform_tolerance", transform_tolerance, {0.0, 10.0}, "s", "map -> odom is dated this far ahead");
   field("tf_rate", tf_rate, {20.0, 200.0}, "Hz",
         "map -> odom is repeated at this rate where odometry is slower");
+  slew.fields(field);
   field("cloud_rate", cloud_rate, {0.1, 100.0}, "Hz", "of particlecloud, state, markers and path, at most");
   field("max_cloud_poses", max_cloud_poses, {1, 1000000}, "1", "in particlecloud and markers, at most");
   field("path_length", path_length, {0, 1000000}, "1", "poses that path goes back, 0: no path");
@@ -31,8 +33,7 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
         "of the random numbers: same seed, same bytes");
   frames.fields(field);
   outputs.fields(field);
-  field("datum", datum, {-180.0, 1e5}, "deg, deg, m",
-        "latitude, longitude and perhaps altitude of map's origin; empty: from the first measurements");
+  datum.fields(field);
   field("datum_file", datum_file, {},
         "absolute path where the datum is saved, and read at the next start; empty: nowhere. Not beside "
         "`datum`");
@@ -43,14 +44,10 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
   gnss.fields(field);
   field.group("odometry", odometry, "how odometry is read");
   field.group("localizer", localizer, "how late and missing measurements are treated");
-  const bool is_datum =
-      datum.empty() || (datum.size() <= 3 && datum.size() >= 2 && valid({datum[0], datum[1], 0.0}));
-  if (!is_datum)
-    throw ParameterError("datum is not [latitude, longitude] or [latitude, longitude, altitude]");
   if (datum_file.empty()) return;
   if (datum_file.front() != '/')
     throw ParameterError("datum_file " + datum_file + " is not an absolute path");
-  if (!datum.empty()) throw ParameterError("datum and datum_file are both given: which one counts?");
+  if (datum.given()) throw ParameterError("datum and datum_file are both given: which one counts?");
 }
 
 LocalizationSettings LocalizationSettings::from(const YAML::Node& source) {

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "multipath_localization/estimators/localizer.hpp"
+#include "nodes/correction_slew.hpp"
+#include "nodes/datum_parameter.hpp"
 #include "nodes/gnss_message.hpp"
 #include "nodes/odometry_reader.hpp"
 
 namespace multipath_localization {
 
-/// Names of the frames of REP-105.
+/// Names of the frames of REP-105; a leading slash, which tf2 knows none of, is left out.
 struct FrameParameters {
   std::string map_frame = "map";
   std::string odom_frame = "odom";
@@ -27,6 +29,7 @@ struct OutputParameters {
   bool publish_odom_tf = false;
   double transform_tolerance = 0.1;
   double tf_rate = 30.0;
+  SlewParameters slew;
   double cloud_rate = 5.0;
   int max_cloud_poses = 500;
   int path_length = 0;
@@ -41,15 +44,15 @@ struct LocalizationParameters {
   int seed = 1;
   FrameParameters frames;
   OutputParameters outputs;
-  std::vector<double> datum;
+  DatumParameter datum;
   std::string datum_file;
   double datum_averaging = 0.0;
   GnssParameters gnss;
   OdometryParameters odometry;
   LocalizerParameters localizer;
 
-  /// Throws ParameterError on a datum that is neither empty nor latitude, longitude and perhaps altitude, on
-  /// a file for it that is no absolute path, and on both.
+  /// Throws ParameterError on a datum that cannot be used, on a file for it that is no absolute path, and on
+  /// both.
   void fields(ParameterVisitor& field);
 };
 

@@ -3,11 +3,12 @@
 namespace multipath_localization {
 
 MapToOdom::MapToOdom(const FrameParameters& frames, const OutputParameters& outputs)
-    : frames_(frames), outputs_(outputs) {}
+    : frames_(frames), outputs_(outputs), slew_(outputs.slew) {}
 
-void MapToOdom::send(const Pose2& odom_in_map, const ros::Time& stamp, const ros::Time& arrival) {
+void MapToOdom::send(const Pose2& odom_in_map, const Pose2& base_in_odom, const ros::Time& stamp,
+                     const ros::Time& arrival) {
   if (!outputs_.publish_tf) return;
-  odom_in_map_ = odom_in_map;
+  odom_in_map_ = slew_.follow(odom_in_map, base_in_odom, stamp.toSec());
   odometry_stamp_ = stamp;
   arrival_ = arrival;
   broadcast(stamp + ros::Duration(outputs_.transform_tolerance));
@@ -43,6 +44,7 @@ void MapToOdom::send_odometry(const Pose2& base_in_odom, const ros::Time& stamp)
 
 void MapToOdom::clear() {
   odom_in_map_.reset();
+  jump();
   last_sent_ = last_odometry_sent_ = ros::Time();
 }
 

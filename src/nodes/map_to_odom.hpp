@@ -14,9 +14,16 @@ class MapToOdom {
  public:
   MapToOdom(const FrameParameters& frames, const OutputParameters& outputs);
 
-  /// Sends the correction that belongs to odometry of this stamp, dated `transform_tolerance` ahead.
-  /// `arrival` is the clock's time.
-  void send(const Pose2& odom_in_map, const ros::Time& stamp, const ros::Time& arrival);
+  /// Sends the correction that belongs to odometry of this pose and stamp, dated `transform_tolerance` ahead,
+  /// as far as `max_correction_rate` lets it go. `arrival` is the clock's time.
+  void send(const Pose2& odom_in_map, const Pose2& base_in_odom, const ros::Time& stamp,
+            const ros::Time& arrival);
+
+  /// The next correction goes all the way at once.
+  void jump() { slew_.jump(); }
+
+  /// Shows the rates to a visitor that may change them.
+  void tune(ParameterVisitor& field) { slew_.tune(field); }
 
   /// Sends it again with its stamp moved on by the time since its arrival, unless `tf_rate` is kept anyway or
   /// the odometry has been silent for longer than `longest_silence` [s].
@@ -33,8 +40,9 @@ class MapToOdom {
 
   FrameParameters frames_;
   OutputParameters outputs_;
+  CorrectionSlew slew_;
   tf2_ros::TransformBroadcaster broadcaster_;
-  std::optional<Pose2> odom_in_map_;
+  std::optional<Pose2> odom_in_map_;  ///< as broadcast
   ros::Time odometry_stamp_;
   ros::Time arrival_;
   ros::Time last_sent_;  ///< stamp of the last broadcast

@@ -162,7 +162,7 @@ void add_faults(const std::string& file, Batch& batch, Stream& stream) {
   if (file.empty()) return;
   FaultInjectorParameters parameters;
   load(read_yaml(file), parameters);
-  if (!parameters.datum.empty()) throw UsageError(file + ": datum is the stream's, leave it out");
+  if (parameters.datum.given()) throw UsageError(file + ": datum is the stream's, leave it out");
   batch.fault_seed = static_cast<std::uint64_t>(parameters.seed);
   if (auto* scenario = std::get_if<Scenario>(&stream)) {
     scenario->simulator.faults = parameters.faults;

@@ -30,6 +30,7 @@ TEST(Reason, WhatIsOfNoUseWhateverItHoldsIsNoFault) {
   EXPECT_FALSE(is_fault(Reason::kAccepted));
   EXPECT_FALSE(is_fault(Reason::kUnused));
   EXPECT_FALSE(is_fault(Reason::kNotNeeded));
+  EXPECT_FALSE(is_fault(Reason::kRepeated));
   EXPECT_TRUE(is_fault(Reason::kGated));
 }
 

@@ -51,8 +51,10 @@ TEST(ChordAlignment, HasNothingBeforeTheFirstFixAndNoHeadingBeforeTheChordIsLong
   GnssFix fix = robot.fix();
   EXPECT_EQ(alignment.update(fix, fix.covariance).nis, 0.0);
   EXPECT_TRUE(alignment.started());
+  EXPECT_NEAR(alignment.missing(), 5.0, 1e-9);
   align(alignment, robot, 2.2);  // 4.4 m
   EXPECT_FALSE(alignment.aligned());
+  EXPECT_NEAR(alignment.missing(), 0.6, 0.5);
   align(alignment, robot, 3.2);
   EXPECT_TRUE(alignment.aligned());
 }

@@ -177,7 +177,7 @@ TEST(ResampleBanks, KeepsClassWeightsAndTheNumberOfParticles) {
   for (const double fraction : {0.0, 0.5, 1.0}) {
     std::vector<BeliefParticle> particles = banks({25, 25, 25, 25}, {0.9, 0.07, 0.02, 0.01});
     RandomStream random(8, 0, 0);
-    resample_banks(particles, 0.05, fraction, random);
+    resample_banks(particles, 100, 0.05, fraction, random);
     EXPECT_EQ(particles.size(), 100U);
     expect_weights(particles, {0.9, 0.07, 0.02, 0.01}, 1e-12);
     ClassCounts counts{};
@@ -192,17 +192,27 @@ TEST(ResampleBanks, DrawsInProportionToTheWeightsWithinABank) {
   for (std::size_t i = 1; i < 50; ++i) others += particles[i].weight = 0.1 / 49.0;
   particles[0].weight = 0.5 - others;
   RandomStream random(9, 0, 0);
-  resample_banks(particles, 0.05, 0.5, random);
+  resample_banks(particles, 100, 0.05, 0.5, random);
   int copies = 0;
   for (const BeliefParticle& particle : particles) copies += particle.belief.mean(kX) == 0.0 ? 1 : 0;
   EXPECT_NEAR(copies, 40, 1);  // 0.4 of 0.5
+}
+
+TEST(ResampleBanks, GoesOverToAnotherNumberOfParticles) {
+  for (const std::size_t count : {40U, 100U, 1000U}) {
+    std::vector<BeliefParticle> particles = banks({50, 30, 10, 10}, {0.5, 0.3, 0.1, 0.1});
+    RandomStream random(11, 0, 0);
+    resample_banks(particles, count, 0.05, 0.5, random);
+    EXPECT_EQ(particles.size(), count);
+    expect_weights(particles, {0.5, 0.3, 0.1, 0.1}, 1e-12);
+  }
 }
 
 TEST(ResampleBanks, LeavesHealthyBanksAlone) {
   const std::vector<BeliefParticle> before = banks({50, 30, 10, 10}, {0.5, 0.3, 0.1, 0.1});
   std::vector<BeliefParticle> particles = before;
   RandomStream random(10, 0, 0);
-  resample_banks(particles, 0.05, 0.5, random);
+  resample_banks(particles, 100, 0.05, 0.5, random);
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(particles[i].weight, before[i].weight);
     EXPECT_EQ(particles[i].belief.mean, before[i].belief.mean);

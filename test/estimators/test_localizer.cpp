@@ -27,10 +27,12 @@ class Recorder : public Estimator {
   Innovation update(const Measurement& z) override {
     Innovation innovation;
     innovation.reason = verdict;
+    innovation.covariance = 2.0 * Eigen::Matrix2d::Identity();
     if (!std::holds_alternative<GnssFix>(z)) return innovation;
     const auto& fix = std::get<GnssFix>(z);
     innovation.innovation = fix.position - estimate_.pose * fix.antenna_in_base;
     innovations.push_back(innovation.innovation);
+    covariances.push_back(fix.covariance);
     used_at.push_back(estimate_.stamp);
     return innovation;
   }
@@ -43,6 +45,7 @@ class Recorder : public Estimator {
   int starts = 0;
   std::vector<OdometryIncrement> increments;
   std::vector<Eigen::Vector2d> innovations;
+  std::vector<Eigen::Matrix2d> covariances;
   std::vector<double> used_at;
 };
 
@@ -51,10 +54,12 @@ const Eigen::Vector2d kAntenna(0.5, 0.2);
 
 class LocalizerTest : public testing::Test {
  protected:
-  LocalizerTest() {
+  LocalizerTest() { make(LocalizerParameters{}); }
+
+  void make(const LocalizerParameters& parameters) {
     auto made = std::make_unique<Recorder>();
     recorder = made.get();
-    localizer = std::make_unique<Localizer>(std::move(made), LocalizerParameters{});
+    localizer = std::make_unique<Localizer>(std::move(made), parameters);
     localizer->start(std::nullopt);
   }
 
@@ -228,6 +233,121 @@ TEST_F(LocalizerTest, TrustFollowsTheEstimateAndTheFixes) {
   expect(Trust::kDeadReckoning);
   estimate.position_covariance_overall *= 1e5;
   expect(Trust::kLost);
+}
+
+TEST_F(LocalizerTest, SaysHowFarFixesLieFromThePoseAndHowFarTheEstimatorReckonedWith) {
+  recorder->estimate_.bias = {1.0, 1.0};
+  drive(1.0);
+  const auto report = [&] {
+    drive(0.5);
+    GnssFix biased = fix_at(now - 0.2);
+    biased.position.y() += 4.0;
+    localizer->add(Measurement(biased));
+    return localizer->take_reports().back();
+  };
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(report().observed_sigma) << "of a pose that is not settled";
+  recorder->estimate_.aligned = true;
+  MeasurementReport last;
+  for (int i = 0; i < 10; ++i) last = report();
+  ASSERT_TRUE(last.observed_sigma && last.used_sigma);
+  EXPECT_NEAR(*last.observed_sigma, 4.0 / std::sqrt(2.0 * std::log(2.0)), 1e-9);
+  EXPECT_NEAR(*last.used_sigma, std::sqrt(2.0 + 1.0), 1e-9);
+  EXPECT_TRUE(recorder->covariances.back().isIdentity()) << "the message's counts by default";
+}
+
+TEST_F(LocalizerTest, AdaptsTheCovarianceOfFixesWhereAskedTo) {
+  LocalizerParameters adaptive;
+  adaptive.fix_covariance.source = "adaptive";
+  make(adaptive);
+  recorder->estimate_.aligned = true;
+  drive(1.0);
+  for (int i = 0; i < 10; ++i) {
+    drive(0.5);
+    GnssFix biased = fix_at(now);
+    biased.position.y() += 4.0;
+    localizer->add(Measurement(biased));
+  }
+  EXPECT_NEAR(recorder->covariances.back()(0, 0), 16.0 / (2.0 * std::log(2.0)), 1e-9);
+  localizer->start(std::nullopt);
+  drive(0.5);
+  localizer->add(Measurement(fix_at(now)));
+  EXPECT_TRUE(recorder->covariances.back().isIdentity()) << "a start forgets";
+}
+
+TEST_F(LocalizerTest, SaysHowFarToDriveUntilThePoseIsConfirmed) {
+  recorder->estimate_.valid = true;
+  drive(1.0);
+  EXPECT_EQ(localizer->state_reason(), "heading or position not yet confirmed, drive on under open sky");
+  recorder->estimate_.way_to_alignment = 6.3;
+  EXPECT_EQ(localizer->state_reason(),
+            "heading or position not yet confirmed, drive about 7 m more under open sky");
+}
+
+TEST_F(LocalizerTest, AReceiverIsFrozenOnceTheRobotHasDrivenOn) {
+  recorder->estimate_.valid = recorder->estimate_.aligned = true;
+  drive(1.0);
+  GnssFix fix = fix_at(now);
+  const auto repeated = [&] {
+    recorder->verdict = Reason::kFrozen;
+    fix.stamp = now;
+    localizer->add(Measurement(fix));
+    return localizer->take_reports().back().innovation.reason;
+  };
+  EXPECT_EQ(reason_of(now), Reason::kAccepted);
+  drive(60.0, 0.0);
+  EXPECT_EQ(repeated(), Reason::kRepeated) << "of a robot that stands";
+  EXPECT_EQ(localizer->state(), Trust::kGood);
+  EXPECT_FALSE(localizer->frozen());
+  drive(1.9);
+  EXPECT_EQ(repeated(), Reason::kRepeated);
+  drive(4.0);
+  EXPECT_EQ(repeated(), Reason::kFrozen);
+  ASSERT_TRUE(localizer->frozen());
+  EXPECT_NEAR(localizer->frozen()->duration, 65.9, 1e-6);
+  EXPECT_NEAR(localizer->frozen()->driven, 5.9, 1e-6);
+  EXPECT_EQ(localizer->state_reason(), "receiver frozen, running on odometry");
+  recorder->verdict = Reason::kAccepted;
+  EXPECT_EQ(reason_of(now), Reason::kAccepted);
+  EXPECT_FALSE(localizer->frozen());
+}
+
+TEST_F(LocalizerTest, IsTunedWhileItRuns) {
+  recorder->estimate_.valid = recorder->estimate_.aligned = true;
+  drive(1.0);
+  EXPECT_EQ(localizer->state(), Trust::kGood);
+  load_fields(
+      YAML::Load("{lost_sigma: 0.5, fix_covariance: {source: fixed, fixed_sigma: 7}}"),
+      [&](ParameterVisitor& field) { localizer->tune(field); }, "");
+  EXPECT_EQ(localizer->state(), Trust::kLost);
+  localizer->add(Measurement(fix_at(now)));
+  EXPECT_EQ(recorder->covariances.back()(0, 0), 49.0);
+  EXPECT_EQ(recorder->starts, 1);
+}
+
+TEST_F(LocalizerTest, MirroredOdometryConfirmsNoPose) {
+  recorder->estimate_.valid = recorder->estimate_.aligned = true;
+  Pose2 truth;
+  const auto turn = [&](double sign) {
+    for (int i = 0; i < 300; ++i) {
+      const OdometryIncrement u{now + kStep, kStep, 1.0, 0.2};
+      now += kStep;
+      truth = truth * displacement(u);
+      localizer->add({u.stamp, u.duration, u.speed, sign * u.yaw_rate});
+      GnssFix fix;
+      fix.stamp = now;
+      fix.position = truth.position();
+      if (i % 5 == 0) localizer->add(Measurement(fix));
+    }
+  };
+  turn(1.0);
+  EXPECT_EQ(localizer->state(), Trust::kGood);
+  localizer->start(std::nullopt);
+  recorder->estimate_.aligned = true;
+  turn(-1.0);
+  EXPECT_EQ(localizer->state(), Trust::kAligning);
+  EXPECT_NE(localizer->state_reason().find("mirrored, or NED"), std::string::npos);
+  localizer->start(std::nullopt);
+  EXPECT_FALSE(localizer->mirrored());
 }
 
 TEST_F(LocalizerTest, OnlyAnAcceptedFixEndsDeadReckoning) {

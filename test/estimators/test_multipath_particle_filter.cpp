@@ -333,5 +333,57 @@ TEST(MultipathParticleFilter, AFirstFixFarAwayIsAStartLikeAnyOther) {
   EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
 }
 
+TEST(MultipathParticleFilter, ReckonsWithTheNoiseOfTheReceiverAsItIs) {
+  SimulatedDrive robot(3);
+  robot.fix_sigma = 1.0;
+  Localizer localizer(std::make_unique<MultipathParticleFilter>(MultipathParticleFilterParameters{}, 3),
+                      LocalizerParameters{});
+  localizer.start(std::nullopt);
+  robot.run(localizer, 60.0);
+  localizer.take_reports();
+  robot.run(localizer, 120.0);
+  double nis = 0.0;
+  const std::vector<MeasurementReport> reports = localizer.take_reports();
+  for (const MeasurementReport& report : reports) nis += report.innovation.nis;
+  nis /= static_cast<double>(reports.size());
+  EXPECT_GT(nis, 1.0);
+  EXPECT_LT(nis, 4.0);
+  ASSERT_TRUE(reports.back().observed_sigma && reports.back().used_sigma);
+  EXPECT_NEAR(*reports.back().observed_sigma, 1.0, 0.4);
+  EXPECT_NEAR(*reports.back().used_sigma, 1.0, 0.4);
+}
+
+TEST(MultipathParticleFilter, SaysHowFarToDriveUntilItIsConfirmed) {
+  SimulatedDrive robot(5);
+  Localizer localizer = default_localizer(5);
+  const double whole = MultipathParticleFilterParameters{}.confirm_distance;
+  robot.run(localizer, 1.0);
+  EXPECT_GT(localizer.estimate().way_to_alignment, 0.8 * whole);
+  while (!localizer.estimate().aligned && robot.time < 60.0) robot.run(localizer, 1.0);
+  EXPECT_LE(localizer.estimate().way_to_alignment, 0.1 * whole);
+}
+
+TEST(MultipathParticleFilter, IsTunedWithoutMovingItsPose) {
+  SimulatedDrive robot(6);
+  Localizer localizer = default_localizer(6);
+  robot.run(localizer, 60.0);
+  ASSERT_TRUE(localizer.estimate().aligned);
+  for (const std::size_t particles : {100U, 900U}) {
+    const std::vector<double> before = numbers_of(localizer.estimate());
+    load_fields(
+        YAML::Load("{particles: " + std::to_string(particles) + ", odometry: {distance: 0.02}}"),
+        [&](ParameterVisitor& field) { localizer.tune_estimator(field); }, "");
+    EXPECT_EQ(numbers_of(localizer.estimate()), before);
+    robot.run(localizer, 5.0);
+    EXPECT_EQ(localizer.hypotheses().size(), particles);
+    EXPECT_TRUE(localizer.estimate().aligned);
+    EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
+  }
+  load_fields(
+      YAML::Load("{position_sigma_floor: 7}"),
+      [&](ParameterVisitor& field) { localizer.tune_estimator(field); }, "");
+  EXPECT_GT(localizer.estimate().covariance(0, 0), 49.0);
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -50,12 +50,5 @@ TEST(OdometryJump, DoesNotTakeDeclaredNoiseForAFault) {
   EXPECT_TRUE(trusting.take());
 }
 
-TEST(OdometryJump, ForgetsWhatWasBeforeItIsCleared) {
-  OdometryJump jump({}, OdometryNoise{});
-  drive(jump, 1.0, 2.0, 0.0);
-  jump.clear();
-  EXPECT_FALSE(drive(jump, 1.0, 0.0, 0.0));
-}
-
 }  // namespace
 }  // namespace multipath_localization

@@ -6,8 +6,9 @@ import unittest
 
 import rospy
 import rostest
-from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import PoseWithCovarianceStamped
+import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from geometry_msgs.msg import PoseWithCovarianceStamped, TransformStamped
 from synthetic_drive import Robot, Session, numbers_of
 
 NAN, INFINITY = float('nan'), float('inf')
@@ -102,6 +103,41 @@ class LocalizationBadInput(unittest.TestCase):
         for answers in self.session.poses.values():
             self.assertTrue(all(math.isfinite(number) for answer in answers for number in numbers_of(answer)))
         self.check_diagnostics()
+        self.check_frozen(robot)
+        self.check_another_broadcaster()
+
+    def check_another_broadcaster(self):
+        self.assertNotEqual(self.diagnostics['tf'].level, DiagnosticStatus.ERROR)
+        stranger = TransformStamped()
+        stranger.header.frame_id, stranger.child_frame_id = 'world', '/odom'
+        stranger.transform.rotation.w = 1.0
+        broadcaster = tf2_ros.TransformBroadcaster()
+
+        def told():
+            stranger.header.stamp = rospy.Time.now()
+            broadcaster.sendTransform(stranger)  # time and again: the node may not be connected yet
+            return self.diagnostics['tf'].level == DiagnosticStatus.ERROR
+        self.session.wait(told, 'an error of tf')
+        self.assertIn(rospy.get_name() + ' broadcasts a parent of odom', self.diagnostics['tf'].message)
+
+    def check_frozen(self, robot):
+        fix, speed, robot.yaw_rate = robot.fix(), robot.speed, 0.0
+
+        def send(robot):
+            fix.header.stamp = robot.odometry().header.stamp
+            self.session.send_fix(fix)
+        robot.speed = 0.0
+        self.session.drive(robot, 5.0, send=send)
+        self.assertEqual(self.session.reports[-1].reason, 'repeated', 'of a parked robot')
+        self.session.wait(lambda: self.diagnostics['fix'].level == DiagnosticStatus.OK, 'diagnostics of a parked robot')
+        self.assertEqual(self.session.states[-1].name, 'GOOD')
+        robot.speed = speed
+        self.session.drive(robot, 6.0, send=send)
+        self.assertEqual(self.session.reports[-1].reason, 'frozen')
+        self.session.wait(lambda: 'receiver frozen 11 s' in self.diagnostics['fix'].message, 'a frozen receiver')
+        self.assertEqual(self.diagnostics['fix'].level, DiagnosticStatus.ERROR)
+        self.session.drive(robot, 0.4)
+        self.assertEqual(self.session.reports[-1].reason, 'accepted')
 
     def storm_of_fixes(self, robot):
         for change, reason in FIXES * 2:

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Pairs of fixes and raw epochs reach the estimators that use them; others say so, and bad ones are told why."""
 import math
+import re
 import unittest
 
 import rospy
@@ -52,6 +53,8 @@ class LocalizationGnss(unittest.TestCase):
         session.wait(lambda: name in self.diagnostics, 'diagnostics')
         self.assertEqual(self.diagnostics[name].level, DiagnosticStatus.OK)
         self.assertIn('no use', self.diagnostics[name].message)
+        session.wait(lambda: re.search(r'declared 0\.30 m, observed 0\.\d\d m, using [01]\.\d\d m',
+                                       self.diagnostics['localization: fix'].message), 'the sigmas of fixes')
         complaints = [entry.msg for entry in self.log
                       if entry.name == '/localization' and entry.level >= Log.WARN
                       and 'no transform from base_link to gps:' not in entry.msg]

@@ -8,7 +8,7 @@ namespace multipath_localization {
 namespace {
 
 TEST(Datum, IsTheOneConfigured) {
-  Datum datum({52.5, 13.4}, 0.0);
+  Datum datum(Geodetic{52.5, 13.4, 0.0}, 0.0);
   datum.add(1.0, {48.0, 11.0, 500.0});
   ASSERT_NE(datum.map(), nullptr);
   EXPECT_EQ(datum.map()->datum().latitude_deg, 52.5);
@@ -16,7 +16,7 @@ TEST(Datum, IsTheOneConfigured) {
 }
 
 TEST(Datum, IsTheFirstPlaceAndStays) {
-  Datum datum({}, 0.0);
+  Datum datum(std::nullopt, 0.0);
   EXPECT_EQ(datum.map(), nullptr);
   datum.add(1.0, {48.0, 11.0, 500.0});
   datum.add(2.0, {49.0, 12.0, 600.0});
@@ -25,7 +25,7 @@ TEST(Datum, IsTheFirstPlaceAndStays) {
 }
 
 TEST(Datum, IsTheMedianOfTheFirstPlaces) {
-  Datum datum({}, 1.0);
+  Datum datum(std::nullopt, 1.0);
   datum.add(10.0, {48.0, 11.0, 500.0});
   datum.add(10.5, {80.0, 11.2, std::numeric_limits<double>::quiet_NaN()});
   EXPECT_EQ(datum.map(), nullptr);
@@ -37,7 +37,7 @@ TEST(Datum, IsTheMedianOfTheFirstPlaces) {
 }
 
 TEST(Datum, MovesWhereItIsSet) {
-  Datum datum({52.5, 13.4}, 0.0);
+  Datum datum(Geodetic{52.5, 13.4, 0.0}, 0.0);
   datum.set({48.0, 11.0, 500.0});
   EXPECT_EQ(datum.map()->datum().latitude_deg, 48.0);
   EXPECT_THROW(datum.set({91.0, 11.0, 500.0}), std::invalid_argument);
@@ -60,7 +60,7 @@ TEST(Datum, IsFoundAgainByTheNextOne) {
 TEST(Datum, HoldsWhereItCannotBeSaved) {
   const TemporaryFolder folder;
   folder.write("no_folder", "");
-  Datum datum({}, 0.0, folder.path() + "/no_folder/datum.yaml");
+  Datum datum(std::nullopt, 0.0, folder.path() + "/no_folder/datum.yaml");
   datum.add(1.0, {48.0, 11.0, 500.0});
   EXPECT_NE(datum.map(), nullptr);
 }

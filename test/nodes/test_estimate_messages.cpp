@@ -80,6 +80,16 @@ TEST(Concluded, SaysWhatBecameOfAMeasurement) {
   EXPECT_NEAR(report.age, 0.5, 1e-9);
 }
 
+TEST(SigmasTold, AreThoseThatAreKnown) {
+  FixReport report = to_report(good_fix());
+  EXPECT_EQ(sigmas_told(report), "declared 2.55 m");
+  report.declared_sigma = 0.1;
+  report.observed_sigma = 4.2;
+  report.used_sigma = 4.5;
+  EXPECT_EQ(sigmas_told(report), "declared 0.10 m, observed 4.20 m, using 4.50 m");
+  EXPECT_EQ(sigmas_told(to_report(GnssEpoch())), "");
+}
+
 TEST(Concluded, KnowsNoAgeWithoutStamps) {
   sensor_msgs::NavSatFix unstamped = good_fix();
   unstamped.header.stamp = ros::Time();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string_view>
 
 #include "multipath_localization/core/pose.hpp"
@@ -16,7 +17,8 @@ enum class Reason {
   kInvalidCovariance,  ///< declared covariance negative or not symmetric positive semi-definite
   kInvalidPosition,    ///< latitude or longitude out of range, or further from the datum than the map reaches
   kNoFix,              ///< receiver status below the one asked for
-  kFrozen,             ///< bit-identical to the fix before
+  kFrozen,             ///< bit-identical to the fix before, though the robot has driven on
+  kRepeated,           ///< bit-identical to the fix before, of a robot that stands or hardly moves
   kGated,              ///< innovation beyond the gate
   kZeroStamp,          ///< stamp of zero
   kFutureStamp,        ///< stamp ahead of the odometry by more than the tolerance
@@ -45,7 +47,8 @@ struct Innovation {
 
 /// Whether it is the measurement's own fault that it was not used.
 inline bool is_fault(Reason reason) {
-  return reason != Reason::kAccepted && reason != Reason::kUnused && reason != Reason::kNotNeeded;
+  return reason != Reason::kAccepted && reason != Reason::kUnused && reason != Reason::kNotNeeded &&
+         reason != Reason::kRepeated;
 }
 
 inline Innovation refused(Reason reason) {
@@ -58,8 +61,10 @@ inline Innovation refused(Reason reason) {
 struct PoseEstimate {
   bool valid = false;    ///< false until something was measured; nothing below counts then
   bool aligned = false;  ///< heading and position are settled on one hypothesis and confirmed
-  double stamp = 0.0;    ///< [s]
-  Pose2 pose;            ///< base in map: mean of the dominant cluster, never a mean between clusters
+  /// Driving under open sky that is still wanted for that, at least [m]; NaN: not told.
+  double way_to_alignment = std::numeric_limits<double>::quiet_NaN();
+  double stamp = 0.0;  ///< [s]
+  Pose2 pose;          ///< base in map: mean of the dominant cluster, never a mean between clusters
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of x, y, yaw within the cluster [m, rad]
   double dominance = 1.0;                                    ///< probability mass of the dominant cluster
   Eigen::Matrix2d position_covariance_overall =

@@ -39,6 +39,8 @@ class ChordAlignment {
 
   [[nodiscard]] bool started() const { return started_; }  ///< whether there is a position
   [[nodiscard]] bool aligned() const { return aligned_; }  ///< whether there is a heading too
+  /// What the chord is short of, at least [m].
+  [[nodiscard]] double missing() const { return aligned_ ? 0.0 : missing_; }
   [[nodiscard]] const State& state() const { return state_; }
 
  private:
@@ -63,6 +65,7 @@ class ChordAlignment {
   double moving_time_ = 0.0;  ///< since the start, standstill left out [s]
   Pose2 base_in_odom_;
   std::optional<Anchor> anchor_;
+  double missing_ = 0.0;  ///< of the chord [m], less than 0 where it is long enough
 };
 
 }  // namespace multipath_localization

@@ -5,6 +5,7 @@
 
 #include "multipath_localization/core/estimate.hpp"
 #include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/core/parameters.hpp"
 
 namespace multipath_localization {
 
@@ -28,6 +29,10 @@ class Estimator {
 
   /// Weighs one measurement; kinds without a model are refused as `unused`.
   virtual Innovation update(const Measurement& z) = 0;
+
+  /// Shows parameters to a visitor that may change them between two calls. What is known stays; what counts
+  /// at a start counts from the next one on.
+  virtual void tune(ParameterVisitor& /*field*/) {}
 
   /// The pose at the end of the last increment.
   [[nodiscard]] virtual PoseEstimate estimate() const = 0;

@@ -40,6 +40,7 @@ class GatedEkf : public Estimator {
   void start(const std::optional<PosePrior>& prior) override;
   void predict(const OdometryIncrement& u) override;
   Innovation update(const Measurement& z) override;
+  void tune(ParameterVisitor& field) override { parameters_.fields(field); }
   [[nodiscard]] PoseEstimate estimate() const override;
   [[nodiscard]] std::vector<Hypothesis> hypotheses() const override;
 

@@ -42,9 +42,9 @@ void mix_classes(std::vector<BeliefParticle>& particles, const ReceiverClasses& 
 void reweigh(std::vector<BeliefParticle>& particles, const std::vector<double>& log_likelihood,
              double exponent);
 
-/// Systematic resampling bank by bank, when the effective sample size of one falls below `ess_fraction` of it
-/// or its due count has moved far. Keeps the sum of weights of each class.
-void resample_banks(std::vector<BeliefParticle>& particles, double floor, double ess_fraction,
-                    RandomStream& random);
+/// Systematic resampling to `count` particles, bank by bank, when the effective sample size of one falls
+/// below `ess_fraction` of it or its due count has moved far. Keeps the sum of weights of each class.
+void resample_banks(std::vector<BeliefParticle>& particles, std::size_t count, double floor,
+                    double ess_fraction, RandomStream& random);
 
 }  // namespace multipath_localization

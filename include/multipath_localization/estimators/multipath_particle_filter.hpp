@@ -34,6 +34,8 @@ struct MultipathParticleFilterParameters {
   ReceiverClasses classes;
 
   void fields(ParameterVisitor& field);
+  /// Those of them that may change while the filter runs.
+  void tunable(ParameterVisitor& field);
 };
 
 /// The default estimator: position from fixes that may be reflected, and wheel odometry.
@@ -51,6 +53,7 @@ class MultipathParticleFilter : public Estimator {
   void start(const std::optional<PosePrior>& prior) override;
   void predict(const OdometryIncrement& u) override;
   Innovation update(const Measurement& z) override;
+  void tune(ParameterVisitor& field) override;
   [[nodiscard]] PoseEstimate estimate() const override;
   [[nodiscard]] std::vector<Hypothesis> hypotheses() const override;
 

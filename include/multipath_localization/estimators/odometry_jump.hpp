@@ -30,8 +30,6 @@ class OdometryJump {
   /// Whether there was a jump since the last call.
   bool take();
 
-  void clear();
-
  private:
   struct Window {
     double duration = 0.0;  ///< [s]

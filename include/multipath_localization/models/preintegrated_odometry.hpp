@@ -29,6 +29,8 @@ class PreintegratedOdometry {
  public:
   explicit PreintegratedOdometry(const OdometryNoise& noise) : noise_(noise) {}
 
+  /// Of the increments from now on.
+  void set_noise(const OdometryNoise& noise) { noise_ = noise; }
   void restart(double scale, double gyro_bias);
   void add(const OdometryIncrement& increment);
 

@@ -39,6 +39,8 @@ struct ReceiverClass {
   double unseen_motion = 0.0;
   double yaw_walk = 0.0;
 
+  /// Variance of the white noise an axis [m^2].
+  [[nodiscard]] double noise_variance(bool noisy) const;
   void fields(ParameterVisitor& field);
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/estimators/localizer.hpp"
 #include "multipath_localization/evaluation/metrics.hpp"
 #include "nodes/conversions.hpp"
 #include "tools/doctor/checks.hpp"
@@ -9,7 +10,6 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kFrozenWay = 2.0;      // driven while the fix stood [m]
 constexpr double kShortestChord = 1.0;  // over which fixes are compared with odometry [m]
 constexpr std::size_t kEnoughChords = 20;
 constexpr double kWorstLie = 4.0;        // observed over declared sigma
@@ -115,7 +115,7 @@ Findings check_frozen(const Observations& seen) {
     if (from && to) longest = std::max(longest, *to - *from);
   }
   const std::string what = text("fix: the same to the bit over %.1f m of way at most", longest);
-  if (longest < kFrozenWay) return {pass(what)};
+  if (longest <= LocalizerParameters{}.frozen_distance) return {pass(what)};
   return {fix(
       what, "restart the receiver's driver: rosnode kill DRIVER, with respawn=\"true\" in its launch file")};
 }

@@ -19,7 +19,7 @@ constexpr double kFirstTick = 2.0;  // of a simulated clock at the latest [s]
 void take_parameters(const YAML::Node& source, Observations& seen) {
   const LocalizationParameters parameters = LocalizationSettings::from(source).parameters;
   seen.frames = parameters.frames;
-  seen.datum = parameters.datum;
+  seen.datum = parameters.datum.numbers;
   seen.antenna = parameters.gnss.antenna;
 }
 
