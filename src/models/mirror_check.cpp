@@ -8,11 +8,11 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kSpacing = 1.0;        ///< of pairs, at least [m]
-constexpr double kWindow = 40.0;        ///< [m]
-constexpr std::size_t kFewest = 15;     ///< pairs that tell
-constexpr double kBadFit = 2.0;         ///< of the way as it is, at least [m]
-constexpr double kBetter = 4.0;         ///< times, by which it fits better turned over
+constexpr double kSpacing = 1.0;     ///< of pairs, at least [m]
+constexpr double kWindow = 40.0;     ///< [m]
+constexpr std::size_t kFewest = 15;  ///< pairs that tell
+constexpr double kBadFit = 2.0;      ///< of the way as it is, at least [m]
+constexpr double kBetter = 4.0;      ///< times, by which it fits better turned over
 
 using Complex = std::complex<double>;
 
@@ -34,8 +34,8 @@ void MirrorCheck::add(const GnssFix& fix) {
   mirrored_ = pairs_.size() >= kFewest && fits_mirrored();
 }
 
-/// Laid on each other by the best turn, with both middles at zero, n rms^2 = sum |z|^2 + |w|^2 - 2 |sum z w'|,
-/// w' the conjugate of w, or, turned over, w itself.
+/// Laid on each other by the best turn, with both middles at zero, n rms^2 = sum |z|^2 + |w|^2 - 2 |sum z
+/// w'|, w' the conjugate of w, or, turned over, w itself.
 bool MirrorCheck::fits_mirrored() const {
   const auto count = static_cast<double>(pairs_.size());
   Complex z_middle, w_middle;

@@ -1,10 +1,9 @@
-#include "multipath_localization/models/mirror_check.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "multipath_localization/core/random.hpp"
+#include "multipath_localization/models/mirror_check.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -7,8 +7,9 @@
 
 namespace multipath_localization {
 
-/// Tells odometry that is mirrored, as a driver gives it that has y to the right or axes of NED: over the last
-/// metres its way fits that of the fixes when it is turned over, and not as it is. On a straight way both fit.
+/// Tells odometry that is mirrored, as a driver gives it that has y to the right or axes of NED: over the
+/// last metres its way fits that of the fixes when it is turned over, and not as it is. On a straight way
+/// both fit.
 class MirrorCheck {
  public:
   void clear();
