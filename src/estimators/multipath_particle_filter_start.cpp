@@ -89,7 +89,7 @@ void MultipathParticleFilter::start_at(const GnssFix& fix) {
 
 void MultipathParticleFilter::start_at(const PosePrior& prior) {
   now_ = prior.stamp;
-  confirmed_ = parameters_.confirmed_start;
+  confirmed_ = parameters_.confirmed_start || prior.confirmed;
   const double prior_yaw_sigma = std::sqrt(prior.covariance(2, 2));
   spread([&](BeliefParticle& particle, double turn, double bank_size) {
     Belief& belief = particle.belief;

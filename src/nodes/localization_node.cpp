@@ -79,6 +79,7 @@ void LocalizationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) 
   const ros::WallTime begin = ros::WallTime::now();
   localizer_.add(checked.increment);
   odometry_ = {with_motion(*message, checked.increment), checked.base_in_odom};
+  if (!std::exchange(started_, true)) resume();
   unanswered_.push_back(*odometry_);
   if (parameters_.outputs.publish_odom_tf && tf_.broadcaster_of_base().empty()) {
     map_to_odom_.send_odometry(checked.base_in_odom, message->header.stamp);
@@ -164,6 +165,7 @@ void LocalizationNode::publish_poses() {
     diagnostics_.add_pose();
   }
   if (!estimate.aligned) map_to_odom_.jump();
+  save_pose(estimate);
   map_to_odom_.send(odom_in_map, odometry_->base_in_odom, odometry_stamp(), ros::Time::now());
 }
 

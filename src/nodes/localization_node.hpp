@@ -70,6 +70,9 @@ class LocalizationNode {
   void restart_time(const std::string& why);
   /// The same, and the next odometry is a first one.
   void forget(const std::string& why);
+  /// Goes on from the saved pose at the first odometry, or says why not.
+  void resume();
+  void save_pose(const PoseEstimate& estimate);
   void watch_clock();
   /// Shows all that may change while it runs to a visitor that may change it.
   void tune(ParameterVisitor& field);
@@ -92,6 +95,8 @@ class LocalizationNode {
   Reconfiguration reconfiguration_;
 
   bool enabled_ = true;
+  bool started_ = false;  ///< odometry was there
+  ros::Time pose_saved_;
   ros::Time latest_clock_;
   std::optional<ReadOdometry> odometry_;      ///< the last one accepted
   std::deque<ReadOdometry> unanswered_;       ///< those of the last moments without a pose as yet

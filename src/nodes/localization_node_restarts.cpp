@@ -1,6 +1,9 @@
 #include <ros/console.h>
 
+#include <cmath>
+
 #include "nodes/localization_node.hpp"
+#include "nodes/saved_pose.hpp"
 
 /// The part of the node that starts it afresh: by request, by a jump in time, by a breakdown.
 namespace multipath_localization {
@@ -8,6 +11,9 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kLongSilence = 5.0;  ///< [s]
+constexpr double kSaveEvery = 1.0;    ///< [s]
+constexpr double kTellSaving = 60.0;  ///< [s]
+constexpr double kSameDatum = 0.01;   ///< two are one within this [m]
 
 }  // namespace
 
@@ -67,6 +73,39 @@ void LocalizationNode::restart_time(const std::string& why) {
 void LocalizationNode::forget(const std::string& why) {
   odometry_reader_.clear();
   restart_time(why);
+}
+
+void LocalizationNode::resume() {
+  if (parameters_.pose_file.empty()) return;
+  try {
+    const std::optional<SavedPose> saved = read_saved_pose(parameters_.pose_file);
+    if (!saved) return;
+    const auto answer =
+        resumed(*saved, odometry_stamp().toSec(), odometry_->base_in_odom, parameters_.pose_file_max_age);
+    if (const auto* why = std::get_if<std::string>(&answer)) throw ParameterError(*why);
+    if (!datum_.map()) datum_.set(saved->datum);
+    if (datum_.map()->to_map(saved->datum).norm() > kSameDatum)
+      throw ParameterError("its map has another datum");
+    map_services_.tell_origin(odometry_stamp());
+    restart("the last run's pose is gone on from", std::get<PosePrior>(answer));
+  } catch (const std::exception& error) {
+    ROS_WARN("pose saved in %s does not count: %s", parameters_.pose_file.c_str(), error.what());
+    diagnostics_.note("the saved pose does not count: " + std::string(error.what()));
+  }
+}
+
+void LocalizationNode::save_pose(const PoseEstimate& estimate) {
+  const ros::Time stamp = odometry_stamp();
+  if (parameters_.pose_file.empty() || std::abs((stamp - pose_saved_).toSec()) < kSaveEvery) return;
+  pose_saved_ = stamp;
+  Eigen::Matrix3d covariance = estimate.covariance;
+  covariance.topLeftCorner<2, 2>() = estimate.position_covariance_overall;
+  try {
+    write_saved_pose(parameters_.pose_file, {datum_.map()->datum(), stamp.toSec(), estimate.pose, covariance,
+                                             odometry_->base_in_odom, estimate.aligned});
+  } catch (const std::runtime_error& error) {
+    ROS_ERROR_THROTTLE(kTellSaving, "the pose is not saved: %s", error.what());
+  }
 }
 
 void LocalizationNode::watch_clock() {

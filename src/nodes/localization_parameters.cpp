@@ -6,6 +6,15 @@
 
 namespace multipath_localization {
 
+namespace {
+
+void refuse_relative(const std::string& name, const std::string& file) {
+  if (!file.empty() && file.front() != '/')
+    throw ParameterError(name + " " + file + " is not an absolute path");
+}
+
+}  // namespace
+
 void FrameParameters::fields(ParameterVisitor& field) {
   field("map_frame", map_frame, {}, "frame the pose is given in, ENU at the datum");
   field("odom_frame", odom_frame, {}, "frame the odometry is given in");
@@ -37,6 +46,10 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
   field("datum_file", datum_file, {},
         "absolute path where the datum is saved, and read at the next start; empty: nowhere. Not beside "
         "`datum`");
+  field("pose_file", pose_file, {},
+        "absolute path where the pose is saved every second, and read at the next start, so that a node that "
+        "died goes on where it was; empty: nowhere");
+  field("pose_file_max_age", pose_file_max_age, {0.0, 1e6}, "s", "an older pose does not count");
   field(
       "datum_averaging", datum_averaging, {0.0, 600.0}, "s",
       "without a datum, map's origin is the median of the fixes (of raw epochs the least-squares solutions) "
@@ -44,10 +57,10 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
   gnss.fields(field);
   field.group("odometry", odometry, "how odometry is read");
   field.group("localizer", localizer, "how late and missing measurements are treated");
-  if (datum_file.empty()) return;
-  if (datum_file.front() != '/')
-    throw ParameterError("datum_file " + datum_file + " is not an absolute path");
-  if (datum.given()) throw ParameterError("datum and datum_file are both given: which one counts?");
+  refuse_relative("datum_file", datum_file);
+  refuse_relative("pose_file", pose_file);
+  if (!datum_file.empty() && datum.given())
+    throw ParameterError("datum and datum_file are both given: which one counts?");
 }
 
 LocalizationSettings LocalizationSettings::from(const YAML::Node& source) {

@@ -46,13 +46,15 @@ struct LocalizationParameters {
   OutputParameters outputs;
   DatumParameter datum;
   std::string datum_file;
+  std::string pose_file;
+  double pose_file_max_age = 60.0;
   double datum_averaging = 0.0;
   GnssParameters gnss;
   OdometryParameters odometry;
   LocalizerParameters localizer;
 
-  /// Throws ParameterError on a datum that cannot be used, on a file for it that is no absolute path, and on
-  /// both.
+  /// Throws ParameterError on a datum that cannot be used, on a file that is no absolute path, and on both a
+  /// datum and a file for it.
   void fields(ParameterVisitor& field);
 };
 

@@ -61,6 +61,8 @@ TEST(LocalizationSettings, RefuseADatumThatIsNone) {
   EXPECT_EQ(refusal_of("{datum: [52.5, 13.4, 0, 40]}"), "");
   EXPECT_NE(refusal_of("{datum: [52.5, 13.4, 1.57]}").find("turned"), std::string::npos);
   EXPECT_EQ(refusal_of("{datum_file: /tmp/datum.yaml}"), "");
+  EXPECT_NE(refusal_of("{pose_file: pose.yaml}").find("pose_file pose.yaml is not an absolute path"),
+            std::string::npos);
   EXPECT_NE(refusal_of("{datum_file: ~/datum.yaml}").find("not an absolute path"), std::string::npos);
   EXPECT_NE(refusal_of("{datum_file: /tmp/datum.yaml, datum: [52.5, 13.4]}").find("datum_file"),
             std::string::npos);

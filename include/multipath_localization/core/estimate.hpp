@@ -92,6 +92,7 @@ struct PosePrior {
   double stamp = 0.0;
   Pose2 pose;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  bool confirmed = false;  ///< by an estimator that went before: it need not be doubted
 };
 
 }  // namespace multipath_localization

@@ -1,0 +1,113 @@
+#include "nodes/saved_pose.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+#include "multipath_localization/core/atomic_file.hpp"
+#include "multipath_localization/core/parameters.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kFastest = 10.0;        ///< that a robot rolls on without localisation [m/s]
+constexpr double kSlack = 0.5;           ///< and beyond that [m]
+constexpr double kRoundingSigma = 1e-3;  ///< [m], [rad]
+constexpr std::size_t kKeys = 6;
+
+template <class Numbers>
+void list(std::ostream& out, const char* key, const Numbers& numbers) {
+  out << key << ": [";
+  const char* separator = "";
+  for (const double number : numbers) {
+    out << separator << number;
+    separator = ", ";
+  }
+  out << "]\n";
+}
+
+std::string text_of(const SavedPose& saved) {
+  std::ostringstream out;
+  out << std::setprecision(17) << "# Where the robot was: localization_node goes on from here.\n";
+  list(out, "datum",
+       std::vector<double>{saved.datum.latitude_deg, saved.datum.longitude_deg, saved.datum.altitude});
+  out << "stamp: " << saved.stamp << "\n";
+  const auto pose = [](const Pose2& p) { return std::vector<double>{p.x, p.y, p.yaw}; };
+  list(out, "base_in_map", pose(saved.base_in_map));
+  list(out, "covariance", std::vector<double>(saved.covariance.data(), saved.covariance.data() + 9));
+  list(out, "base_in_odom", pose(saved.base_in_odom));
+  out << "confirmed: " << (saved.confirmed ? "true" : "false") << "\n";
+  return out.str();
+}
+
+/// Throws YAML::Exception or ParameterError unless there are that many finite numbers.
+std::vector<double> numbers(const YAML::Node& source, std::size_t count) {
+  auto values = source.as<std::vector<double>>();
+  const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  if (values.size() != count || !finite) throw ParameterError("a list is not of finite numbers");
+  return values;
+}
+
+Pose2 pose_of(const YAML::Node& source) {
+  const std::vector<double> p = numbers(source, 3);
+  return {p[0], p[1], p[2]};
+}
+
+SavedPose parsed(const YAML::Node& content) {
+  if (!content.IsMap() || content.size() != kKeys)
+    throw ParameterError("it does not hold what belongs there");
+  SavedPose saved;
+  const std::vector<double> datum = numbers(content["datum"], 3);
+  saved.datum = {datum[0], datum[1], datum[2]};
+  saved.stamp = content["stamp"].as<double>();
+  saved.base_in_map = pose_of(content["base_in_map"]);
+  saved.covariance = Eigen::Matrix3d(numbers(content["covariance"], 9).data());
+  saved.base_in_odom = pose_of(content["base_in_odom"]);
+  saved.confirmed = content["confirmed"].as<bool>();
+  if (!valid(saved.datum) || !std::isfinite(saved.stamp)) throw ParameterError("datum or stamp is none");
+  return saved;
+}
+
+}  // namespace
+
+std::optional<SavedPose> read_saved_pose(const std::string& file) {
+  std::error_code unreadable;
+  if (!fs::exists(file, unreadable) && !unreadable) return std::nullopt;
+  try {
+    return parsed(YAML::LoadFile(file));
+  } catch (const std::exception& error) {
+    throw ParameterError(file + " is damaged: " + error.what());
+  }
+}
+
+void write_saved_pose(const std::string& file, const SavedPose& pose) { replace_file(file, text_of(pose)); }
+
+std::variant<PosePrior, std::string> resumed(const SavedPose& saved, double stamp, const Pose2& base_in_odom,
+                                             double max_age) {
+  const double age = stamp - saved.stamp;
+  std::ostringstream why;
+  why << std::fixed << std::setprecision(1);
+  if (age < 0.0) why << "it was saved " << -age << " s after the odometry that comes now";
+  if (age > max_age) why << "it is " << age << " s old";
+  if (!why.str().empty()) return why.str();
+  PosePrior prior;
+  prior.stamp = stamp;
+  prior.pose = saved.base_in_map;
+  prior.covariance = saved.covariance + kRoundingSigma * kRoundingSigma * Eigen::Matrix3d::Identity();
+  const Pose2 rolled = inverse(saved.base_in_odom) * base_in_odom;
+  if (rolled.position().norm() > kFastest * age + kSlack) return prior;
+  prior.pose = saved.base_in_map * rolled;
+  prior.confirmed = saved.confirmed;
+  return prior;
+}
+
+}  // namespace multipath_localization
