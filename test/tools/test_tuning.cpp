@@ -59,6 +59,17 @@ TEST(Tuning, WritesWhatIsToldAndKeepsTheDefaultElsewhere) {
   EXPECT_NE(yaml.find("delay: not told by this bag"), std::string::npos);
 }
 
+TEST(Tuning, LeavesClassesThatSpanWhatWasSeen) {
+  Tuning tuning;
+  tuning.open_sky = true;
+  tuning.fit.white = {0.4, 0.39, 0.41, true, true};
+  tuning.fit.wander = {0.5, 0.3, 0.8, true, true};
+  const std::string yaml = to_yaml(tuning);
+  EXPECT_FALSE(filter_parameters(yaml)["classes"]);
+  EXPECT_NE(yaml.find("#   quiet_sigma: 0.4 "), std::string::npos);
+  EXPECT_NE(yaml.find("#   open_bias_sigma: 0.5 "), std::string::npos);
+}
+
 TEST(Tuning, SaysSoWhereNothingIsTold) {
   NoisyDrive robot;
   robot.duration = 5.0;

@@ -12,7 +12,8 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kEnoughOpenSky = 0.2;  // of the fixes
+constexpr double kBetterThanStreet = 0.5;  // of its quiet_sigma
+constexpr double kEnoughOpenSky = 0.2;     // of the fixes
 
 std::string range(const Told& number) {
   if (number.low_told && number.high_told) return text("%.3g..%.3g", number.low, number.high);
@@ -53,15 +54,22 @@ std::string fix_line(const Tuning& tuning) {
       sigma, tuning.open_sky ? "" : ", reflections among them");
 }
 
+/// The default filter has classes for receivers between its best and its worst, and weighs them itself: one
+/// moved on to another takes away from that. Only beyond them does it have to be told.
 std::string class_lines(const Tuning& tuning) {
-  const NoiseFit& fit = tuning.fit;
   if (!tuning.open_sky) return "  # classes: not told by this bag, it has hardly a fix under open sky\n";
-  const ReceiverClass usual = ReceiverClasses{}.street;
-  return "  classes:\n    street:  # under open sky\n" +
-         line("      ", "quiet_sigma", fit.white, usual.quiet_sigma, "m", "Stand or drive longer.") +
-         line("      ", "open_bias_sigma", fit.wander, usual.open_bias_sigma, "m",
+  const NoiseFit& fit = tuning.fit;
+  const ReceiverClasses classes;
+  const ReceiverClass& usual = classes.street;
+  const bool spanned =
+      fit.white.value > kBetterThanStreet * usual.quiet_sigma && fit.white.value < classes.noisy.quiet_sigma;
+  const char* indent = spanned ? "  #   " : "      ";
+  return std::string(spanned ? "  # classes: street: as it is, the filter's classes span what was seen:\n"
+                             : "  classes:\n    street:  # under open sky\n") +
+         line(indent, "quiet_sigma", fit.white, usual.quiet_sigma, "m", "Stand or drive longer.") +
+         line(indent, "open_bias_sigma", fit.wander, usual.open_bias_sigma, "m",
               "Drive for ten of its correlation times.") +
-         line("      ", "open_bias_time", fit.wander_time, usual.open_bias_time, "s",
+         line(indent, "open_bias_time", fit.wander_time, usual.open_bias_time, "s",
               "Drive for ten of these, or there is no slow error.");
 }
 
