@@ -1,0 +1,177 @@
+#include "tools/tuning/noise_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr std::size_t kFewestFixes = 50;
+constexpr double kFewestMoving = 10.0;  // [s]
+constexpr double kClearlyWorse = 2.0;   // of log likelihood
+constexpr double kTold = 2.0;           // factor
+constexpr double kWalkStep = 0.5;       // of a logarithm, in search of the ends of a range
+constexpr double kCoarse = 0.8, kFine = 0.02, kFineAside = 0.1;
+constexpr double kLongestDelay = 1.0;  // [s]
+constexpr double kDelayStep = 0.1, kFinestDelay = 0.002;
+
+constexpr std::size_t kNumbers = 5;
+
+/// Logarithms of the numbers of SensorNoise in their order.
+using Logs = std::array<double, kNumbers>;
+
+struct Limits {
+  double least, most;
+};
+constexpr std::array<Limits, kNumbers> kLimits{
+    {{1e-4, 1.0}, {1e-4, 1.0}, {1e-3, 100.0}, {1e-3, 100.0}, {1.0, 3000.0}}};
+
+Logs logs_of(const SensorNoise& noise) {
+  return {std::log(noise.distance), std::log(noise.yaw), std::log(noise.white), std::log(noise.wander),
+          std::log(noise.wander_time)};
+}
+
+SensorNoise noise_of(const Logs& logs) {
+  return {std::exp(logs[0]), std::exp(logs[1]), std::exp(logs[2]), std::exp(logs[3]), std::exp(logs[4])};
+}
+
+bool within(double log, std::size_t i) {
+  return log >= std::log(kLimits[i].least) - 1e-9 && log <= std::log(kLimits[i].most) + 1e-9;
+}
+
+struct Optimum {
+  Logs logs;
+  double log_likelihood = 0.0;
+};
+
+/// Likelihood on the numbers, with a search that keeps one of them where it is.
+class Landscape {
+ public:
+  explicit Landscape(const FixSequence& sequence) : sequence_(sequence) {}
+
+  [[nodiscard]] double operator()(const Logs& logs) const {
+    return sequence_.explain(noise_of(logs)).log_likelihood;
+  }
+
+  /// Compass search: each number up or down by `step` while that helps, then half the step down to `finest`.
+  [[nodiscard]] Optimum climb(Logs from, double step, double finest, std::size_t kept = kNumbers) const {
+    Optimum best{from, (*this)(from)};
+    for (; step >= finest; step *= 0.5) {
+      while (improve(best, step, kept)) {
+      }
+    }
+    return best;
+  }
+
+ private:
+  bool improve(Optimum& best, double step, std::size_t kept) const {
+    const double before = best.log_likelihood;
+    for (std::size_t i = 0; i < kNumbers; ++i) {
+      for (const double change : {step, -step}) {
+        Logs tried = best.logs;
+        tried[i] += change;
+        if (i == kept || !within(tried[i], i)) continue;
+        const double likelihood = (*this)(tried);
+        if (likelihood <= best.log_likelihood) continue;
+        best = {tried, likelihood};
+        break;
+      }
+    }
+    return best.log_likelihood > before + 1e-3;
+  }
+
+  const FixSequence& sequence_;
+};
+
+/// Where number `i` becomes clearly worse than at the optimum on the way to `sign`; the limit, and false,
+/// where it does not.
+std::pair<double, bool> end_of_range(const Landscape& landscape, const Optimum& top, std::size_t i,
+                                     double sign) {
+  Optimum last = top;
+  while (true) {
+    Logs next = last.logs;
+    next[i] += sign * kWalkStep;
+    if (!within(next[i], i)) return {sign > 0.0 ? kLimits[i].most : kLimits[i].least, false};
+    Optimum here{next, landscape(next)};  // as good as at the top needs no search for better
+    if (top.log_likelihood - here.log_likelihood > 0.5 * kClearlyWorse) {
+      here = landscape.climb(next, 0.2, kFineAside, i);
+    }
+    const double worse = top.log_likelihood - here.log_likelihood;
+    if (worse > kClearlyWorse) {
+      const double before = std::max(top.log_likelihood - last.log_likelihood, 0.0);
+      const double share =  // of a parabola's arm
+          (std::sqrt(kClearlyWorse) - std::sqrt(before)) / (std::sqrt(worse) - std::sqrt(before));
+      return {std::exp(last.logs[i] + sign * kWalkStep * std::clamp(share, 0.0, 1.0)), true};
+    }
+    last = here;
+  }
+}
+
+Told told(const Landscape& landscape, const Optimum& top, std::size_t i) {
+  Told result;
+  result.value = std::exp(top.logs[i]);
+  std::tie(result.low, result.low_told) = end_of_range(landscape, top, i, -1.0);
+  std::tie(result.high, result.high_told) = end_of_range(landscape, top, i, 1.0);
+  return result;
+}
+
+/// The likeliest delay for a noise, and how far off it may be by the curvature there.
+Told fit_delay(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes,
+               const SensorNoise& noise) {
+  const auto at = [&](double delay) {
+    const FixSequence sequence(odometry, fixes, delay);
+    return sequence.explain(noise).log_likelihood /
+           static_cast<double>(std::max(sequence.size(), kFewestFixes));
+  };
+  double best = 0.0, likelihood = at(best);
+  for (double step = kDelayStep; step >= kFinestDelay; step *= 0.5) {
+    for (bool moved = true; moved;) {
+      moved = false;
+      for (const double tried : {best + step, best - step}) {
+        const double there = at(tried);
+        if (there <= likelihood || std::abs(tried) > kLongestDelay) continue;
+        best = tried, likelihood = there, moved = true;
+        break;
+      }
+    }
+  }
+  const double h = 0.5 * kDelayStep;
+  const double curvature =
+      -(at(best + h) - 2.0 * likelihood + at(best - h)) / (h * h) * static_cast<double>(fixes.size());
+  const double off = curvature > 0.0 ? std::sqrt(2.0 * kClearlyWorse / curvature) : kLongestDelay;
+  return {best, best - off, best + off, off < kLongestDelay, off < kLongestDelay};
+}
+
+}  // namespace
+
+bool Told::told() const { return low_told && high_told && value < kTold * low && high < kTold * value; }
+
+NoiseFit fit_noise(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes) {
+  NoiseFit fit;
+  const FixSequence undelayed(odometry, fixes, 0.0);
+  fit.fixes = undelayed.size();
+  fit.way = undelayed.way();
+  fit.moving_time = undelayed.moving_time();
+  if (fit.fixes < kFewestFixes || fit.moving_time < kFewestMoving) return fit;
+  const Optimum rough = Landscape(undelayed).climb(logs_of({}), kCoarse, 0.1);
+  fit.delay = fit_delay(odometry, fixes, noise_of(rough.logs));
+
+  const FixSequence sequence(odometry, fixes, fit.delay.value);
+  const Landscape landscape(sequence);
+  const Optimum top = landscape.climb(rough.logs, 0.4, kFine);
+  fit.distance = told(landscape, top, 0);
+  fit.yaw = told(landscape, top, 1);
+  fit.white = told(landscape, top, 2);
+  fit.wander = told(landscape, top, 3);
+  fit.wander_time = told(landscape, top, 4);
+  const Explanation best = sequence.explain(noise_of(top.logs));
+  fit.scale = best.scale;
+  fit.gyro_bias = best.gyro_bias;
+  return fit;
+}
+
+}  // namespace multipath_localization

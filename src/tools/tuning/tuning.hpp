@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "multipath_localization/evaluation/drive.hpp"
+#include "tools/tuning/noise_fit.hpp"
+
+namespace multipath_localization {
+
+/// What a drive says of its robot, and which fixes it says that by.
+struct Tuning {
+  NoiseFit fit;
+  bool open_sky = false;  ///< by the fixes under open sky; false: by all, as there are too few of these
+  std::size_t fixes = 0;  ///< of the drive
+};
+
+Tuning tune(const Drive& drive);
+
+/// Parameters of localization_node as YAML to load after config/robot.yaml, with how sure each is. What the
+/// drive does not tell stays as it is by default, unless the drive rules that out.
+std::string to_yaml(const Tuning& tuning);
+
+}  // namespace multipath_localization

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include "multipath_localization/estimators/make_estimator.hpp"
+#include "multipath_localization/evaluation/closed_loop.hpp"
+#include "nodes/localization_parameters.hpp"
+#include "noisy_drive.hpp"
+#include "tools/tuning/tuning.hpp"
+
+namespace multipath_localization {
+namespace {
+
+/// What the localization node makes of the YAML; throws where it is not for it.
+YAML::Node filter_parameters(const std::string& yaml) {
+  const LocalizationSettings settings = LocalizationSettings::from(YAML::Load(yaml));
+  make_estimator(estimator_names().front(), settings.estimator_parameters, 1);
+  return settings.estimator_parameters;
+}
+
+Drive street(std::uint64_t seed) {
+  const Scenario scenario = load_scenario(std::string(CONFIG_DIR) + "/scenarios/street.yaml");
+  const auto make = [seed] { return make_estimator(estimator_names().front(), {}, seed); };
+  return run_scenario(scenario, seed, make, {}).drive;
+}
+
+TEST(Tuning, PicksTheOpenSkyOfAStreet) {
+  const Tuning tuning = tune(street(1));
+  EXPECT_TRUE(tuning.open_sky);
+  EXPECT_LT(tuning.fit.fixes, tuning.fixes * 7 / 10);
+  EXPECT_TRUE(tuning.fit.white.told());
+  EXPECT_NEAR(tuning.fit.white.value, 0.4, 0.1);  // of the scenario, a metre in shadow
+  EXPECT_TRUE(tuning.fit.yaw.high_told);
+  EXPECT_LT(tuning.fit.yaw.low, 0.0028);  // 0.02 rad/s at 50 Hz
+  EXPECT_GT(tuning.fit.yaw.high, 0.0028);
+  EXPECT_LT(tuning.fit.yaw.high, 0.02);
+  EXPECT_LT(tuning.fit.delay.low, 0.0);  // fixes are late, their stamps are right
+  EXPECT_GT(tuning.fit.delay.high, 0.0);
+  EXPECT_NO_THROW(filter_parameters(to_yaml(tuning)));
+}
+
+TEST(Tuning, WritesWhatIsToldAndKeepsTheDefaultElsewhere) {
+  Tuning tuning;
+  tuning.open_sky = true;
+  tuning.fit.yaw = {0.02, 0.015, 0.03, true, true};
+  tuning.fit.distance = {0.0001, 0.0001, 0.03, false, true};
+  tuning.fit.white = {0.05, 0.048, 0.052, true, true};
+  tuning.fit.wander = {0.001, 0.001, 0.1, false, true};
+  tuning.fit.wander_time = {1.0, 1.0, 3000.0, false, false};
+  tuning.fit.scale = {-0.05, 0.002};
+  const std::string yaml = to_yaml(tuning);
+  const YAML::Node filter = filter_parameters(yaml);
+  EXPECT_EQ(filter["odometry"]["yaw"].as<double>(), 0.02);
+  EXPECT_EQ(filter["odometry"]["distance"].as<double>(), 0.006);
+  EXPECT_EQ(filter["odometry"]["scale_sigma"].as<double>(), 0.052);
+  EXPECT_EQ(filter["odometry"]["gyro_bias_sigma"].as<double>(), 0.004);
+  EXPECT_EQ(filter["classes"]["street"]["quiet_sigma"].as<double>(), 0.05);
+  EXPECT_EQ(filter["classes"]["street"]["open_bias_sigma"].as<double>(), 0.1);  // what the bag allows of 0.2
+  EXPECT_EQ(filter["classes"]["street"]["open_bias_time"].as<double>(), 20.0);
+  EXPECT_NE(yaml.find("distance: 0.006  # [m/sqrt(m)] not told by this bag: below 0.03"), std::string::npos);
+  EXPECT_NE(yaml.find("delay: not told by this bag"), std::string::npos);
+}
+
+TEST(Tuning, LeavesClassesThatSpanWhatWasSeen) {
+  Tuning tuning;
+  tuning.open_sky = true;
+  tuning.fit.white = {0.4, 0.39, 0.41, true, true};
+  tuning.fit.wander = {0.5, 0.3, 0.8, true, true};
+  const std::string yaml = to_yaml(tuning);
+  EXPECT_FALSE(filter_parameters(yaml)["classes"]);
+  EXPECT_NE(yaml.find("#   quiet_sigma: 0.4 "), std::string::npos);
+  EXPECT_NE(yaml.find("#   open_bias_sigma: 0.5 "), std::string::npos);
+}
+
+TEST(Tuning, SaysSoWhereNothingIsTold) {
+  NoisyDrive robot;
+  robot.duration = 5.0;
+  const std::string yaml = to_yaml(tune(robot.record(1)));
+  EXPECT_NE(yaml.find("Nothing told"), std::string::npos);
+  EXPECT_NO_THROW(filter_parameters(yaml));
+}
+
+}  // namespace
+}  // namespace multipath_localization
