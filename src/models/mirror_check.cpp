@@ -31,20 +31,22 @@ void MirrorCheck::add(const GnssFix& fix) {
   if (!pairs_.empty() && driven_ - pairs_.back().driven < kSpacing) return;
   pairs_.push_back({driven_, base_in_odom_ * fix.antenna_in_base, fix.position});
   while (pairs_.front().driven < driven_ - kWindow) pairs_.pop_front();
-  mirrored_ = pairs_.size() >= kFewest && fits_mirrored();
+  if (pairs_.size() >= kFewest) decide();
 }
 
 /// Laid on each other by the best turn, with both middles at zero, n rms^2 = sum |z|^2 + |w|^2 - 2 |sum z
 /// w'|, w' the conjugate of w, or, turned over, w itself.
-bool MirrorCheck::fits_mirrored() const {
+void MirrorCheck::decide() {
   const auto count = static_cast<double>(pairs_.size());
-  Complex z_middle, w_middle;
+  Complex z_middle;
+  Complex w_middle;
   for (const Pair& pair : pairs_) {
     z_middle += complex_of(pair.in_map) / count;
     w_middle += complex_of(pair.in_odom) / count;
   }
   double squares = 0.0;
-  Complex as_it_is, turned_over;
+  Complex as_it_is;
+  Complex turned_over;
   for (const Pair& pair : pairs_) {
     const Complex z = complex_of(pair.in_map) - z_middle;
     const Complex w = complex_of(pair.in_odom) - w_middle;
@@ -55,7 +57,10 @@ bool MirrorCheck::fits_mirrored() const {
   const auto rms = [&](const Complex& product) {
     return std::sqrt(std::max(0.0, squares - 2.0 * std::abs(product)) / count);
   };
-  return rms(as_it_is) > std::max(kBadFit, kBetter * rms(turned_over));
+  const double proper = rms(as_it_is);
+  const double mirrored = rms(turned_over);
+  if (proper > std::max(kBadFit, kBetter * mirrored)) mirrored_ = true;
+  if (mirrored > std::max(kBadFit, kBetter * proper)) mirrored_ = false;
 }
 
 }  // namespace multipath_localization

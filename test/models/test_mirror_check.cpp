@@ -42,6 +42,11 @@ TEST(MirrorCheck, FindsOdometryThatTurnsTheOtherWayRound) {
   drive.sign = -1.0;
   EXPECT_GT(drive.mirrored(check, 40.0), 10);
   EXPECT_TRUE(check.mirrored());
+  drive.sign = 1.0;
+  drive.mirrored(check, 120.0);
+  EXPECT_FALSE(check.mirrored()) << "there is a way back";
+  drive.sign = -1.0;
+  EXPECT_GT(drive.mirrored(check, 40.0), 10);
   check.clear();
   EXPECT_FALSE(check.mirrored());
 }

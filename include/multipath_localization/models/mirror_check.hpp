@@ -9,7 +9,7 @@ namespace multipath_localization {
 
 /// Tells odometry that is mirrored, as a driver gives it that has y to the right or axes of NED: over the
 /// last metres its way fits that of the fixes when it is turned over, and not as it is. On a straight way
-/// both fit.
+/// both fit, among buildings neither may: what was told before holds then.
 class MirrorCheck {
  public:
   void clear();
@@ -26,7 +26,7 @@ class MirrorCheck {
     Eigen::Vector2d in_map;
   };
 
-  [[nodiscard]] bool fits_mirrored() const;
+  void decide();
 
   Pose2 base_in_odom_;
   double driven_ = 0.0;
