@@ -23,11 +23,13 @@ class RespawnTest(unittest.TestCase):
     def run_node(self, use):
         """Starts the node, lets `use` talk with it, and kills it as a crash would."""
         process = subprocess.Popen(self.command)
+        session = Session('mortal/')
         try:
-            return use(Session('mortal/'))
+            use(session)
         finally:
             process.send_signal(signal.SIGKILL)
             process.wait(10.0)
+            session.close()
 
     def lived(self, robot):
         """A first life until the pose is confirmed."""

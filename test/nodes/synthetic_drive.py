@@ -158,8 +158,13 @@ class Session:
             rospy.Subscriber(space + 'odometry/filtered_map', Odometry, self.on_pose, tcp_nodelay=True),
             rospy.Subscriber(space + 'localization/fix_report', FixReport, self.on_report, tcp_nodelay=True),
             rospy.Subscriber(space + 'localization/state', LocalizationState, self.on_state, tcp_nodelay=True)]
-        links = [self.odom, self.gps, self.left, self.right, self.raw] + self.subscribers
-        self.wait(lambda: all(link.get_num_connections() for link in links), 'the node')
+        self.links = [self.odom, self.gps, self.left, self.right, self.raw] + self.subscribers
+        self.wait(lambda: all(link.get_num_connections() for link in self.links), 'the node')
+
+    def close(self):
+        """Lets go of a node that is gone, so that the next session waits for the next one."""
+        for link in self.links:
+            link.unregister()
 
     def on_pose(self, message):
         self.note(lambda: self.poses.setdefault(message.header.stamp.to_nsec(), []).append(message))
