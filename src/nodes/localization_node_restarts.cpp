@@ -87,7 +87,7 @@ void LocalizationNode::resume() {
     if (datum_.map()->to_map(saved->datum).norm() > kSameDatum)
       throw ParameterError("its map has another datum");
     map_services_.tell_origin(odometry_stamp());
-    restart("the last run's pose is gone on from", std::get<PosePrior>(answer));
+    restart("at the pose that the last run saved", std::get<PosePrior>(answer));
   } catch (const std::exception& error) {
     ROS_WARN("pose saved in %s does not count: %s", parameters_.pose_file.c_str(), error.what());
     diagnostics_.note("the saved pose does not count: " + std::string(error.what()));
