@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/evaluation/layered_maps.hpp"
 
 namespace multipath_localization {
 
@@ -60,8 +61,7 @@ ParameterOverrides::ParameterOverrides(const std::vector<std::string>& assignmen
 }
 
 YAML::Node ParameterOverrides::over(const YAML::Node& parameters, const std::string& owner) const {
-  YAML::Node result =
-      parameters && parameters.IsMap() ? YAML::Clone(parameters) : YAML::Node(YAML::NodeType::Map);
+  YAML::Node result = laid_over(parameters, YAML::Node());
   for (const Assignment& assignment : assignments_) {
     if (assignment.owner.empty() || assignment.owner == owner) {
       assign(result, assignment.path, parse_value(assignment.value));

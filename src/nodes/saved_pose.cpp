@@ -24,8 +24,7 @@ constexpr double kSlack = 0.5;           ///< and beyond that [m]
 constexpr double kRoundingSigma = 1e-3;  ///< [m], [rad]
 constexpr std::size_t kKeys = 6;
 
-template <class Numbers>
-void list(std::ostream& out, const char* key, const Numbers& numbers) {
+void list(std::ostream& out, const char* key, const std::vector<double>& numbers) {
   out << key << ": [";
   const char* separator = "";
   for (const double number : numbers) {
@@ -38,12 +37,11 @@ void list(std::ostream& out, const char* key, const Numbers& numbers) {
 std::string text_of(const SavedPose& saved) {
   std::ostringstream out;
   out << std::setprecision(17) << "# Where the robot was: localization_node goes on from here.\n";
-  list(out, "datum",
-       std::vector<double>{saved.datum.latitude_deg, saved.datum.longitude_deg, saved.datum.altitude});
+  list(out, "datum", {saved.datum.latitude_deg, saved.datum.longitude_deg, saved.datum.altitude});
   out << "stamp: " << saved.stamp << "\n";
   const auto pose = [](const Pose2& p) { return std::vector<double>{p.x, p.y, p.yaw}; };
   list(out, "base_in_map", pose(saved.base_in_map));
-  list(out, "covariance", std::vector<double>(saved.covariance.data(), saved.covariance.data() + 9));
+  list(out, "covariance", {saved.covariance.data(), saved.covariance.data() + 9});
   list(out, "base_in_odom", pose(saved.base_in_odom));
   out << "confirmed: " << (saved.confirmed ? "true" : "false") << "\n";
   return out.str();

@@ -4,19 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "default_localizer.hpp"
 #include "multipath_localization/estimators/gated_ekf.hpp"
 #include "multipath_localization/estimators/multipath_particle_filter.hpp"
 #include "simulated_drive.hpp"
 
 namespace multipath_localization {
 namespace {
-
-Localizer default_localizer(std::uint64_t seed) {
-  Localizer localizer(std::make_unique<MultipathParticleFilter>(MultipathParticleFilterParameters{}, seed),
-                      LocalizerParameters{});
-  localizer.start(std::nullopt);
-  return localizer;
-}
 
 PosePrior prior_at(const Pose2& pose, double yaw_sigma) {
   PosePrior prior;

@@ -2,18 +2,11 @@
 
 #include <algorithm>
 
-#include "multipath_localization/estimators/multipath_particle_filter.hpp"
+#include "default_localizer.hpp"
 #include "simulated_drive.hpp"
 
 namespace multipath_localization {
 namespace {
-
-Localizer default_localizer(std::uint64_t seed) {
-  Localizer localizer(std::make_unique<MultipathParticleFilter>(MultipathParticleFilterParameters{}, seed),
-                      LocalizerParameters{});
-  localizer.start(std::nullopt);
-  return localizer;
-}
 
 OdometryIncrement sound(const OdometryIncrement& u) { return u; }
 
