@@ -3,7 +3,9 @@
 namespace multipath_localization {
 
 WorkerPool::WorkerPool(std::size_t threads) {
-  for (std::size_t i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+  for (std::size_t share = 1; share < threads; ++share) {
+    threads_.emplace_back([this, share] { serve(share); });
+  }
 }
 
 WorkerPool::~WorkerPool() {
@@ -24,21 +26,22 @@ void WorkerPool::for_each(std::size_t count, const std::function<void(std::size_
     const std::lock_guard<std::mutex> lock(mutex_);
     work_ = &work;
     count_ = count;
-    next_ = 0;
     working_ = threads_.size();
     ++round_;
   }
   wake_.notify_all();
-  take_part();
+  take_part(0);
   std::unique_lock<std::mutex> lock(mutex_);
   done_.wait(lock, [this] { return working_ == 0; });
 }
 
-void WorkerPool::take_part() {
-  for (std::size_t i = next_++; i < count_; i = next_++) (*work_)(i);
+void WorkerPool::take_part(std::size_t share) {
+  const std::size_t shares = threads_.size() + 1;
+  const std::size_t end = (share + 1) * count_ / shares;
+  for (std::size_t i = share * count_ / shares; i < end; ++i) (*work_)(i);
 }
 
-void WorkerPool::serve() {
+void WorkerPool::serve(std::size_t share) {
   std::size_t served = 0;
   for (;;) {
     {
@@ -47,7 +50,7 @@ void WorkerPool::serve() {
       if (ends_) return;
       served = round_;
     }
-    take_part();
+    take_part(share);
     const std::lock_guard<std::mutex> lock(mutex_);
     if (--working_ == 0) done_.notify_one();
   }

@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <set>
+#include <thread>
+#include <vector>
+
 #include "multipath_localization/core/worker_pool.hpp"
 
 namespace multipath_localization {
@@ -13,6 +18,18 @@ TEST(WorkerPool, DoesEachPieceOfWorkOnceWhateverTheNumberOfThreads) {
       for (int round = 0; round < 20; ++round) pool.for_each(count, [&](std::size_t i) { ++done[i]; });
       for (const auto& times : done) EXPECT_EQ(times, 20);
     }
+  }
+}
+
+TEST(WorkerPool, AThreadDoesTheSameShareOfAsMuchWorkEveryTime) {
+  WorkerPool pool(3);
+  std::vector<std::thread::id> first(100);
+  pool.for_each(first.size(), [&](std::size_t i) { first[i] = std::this_thread::get_id(); });
+  EXPECT_EQ(std::set<std::thread::id>(first.begin(), first.end()).size(), 3U);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<std::thread::id> doer(first.size());
+    pool.for_each(doer.size(), [&](std::size_t i) { doer[i] = std::this_thread::get_id(); });
+    EXPECT_EQ(doer, first);
   }
 }
 

@@ -268,9 +268,9 @@ TEST(FixParticleFilter, ThreadsDoNotChangeTheResult) {
   std::vector<PoseEstimate> ends;
   for (const int threads : {1, 2}) {
     NishidaParticleFilterParameters parameters;
-    parameters.sampling.min_particles = parameters.sampling.max_particles = 25000;
+    parameters.sampling.min_particles = parameters.sampling.max_particles = 31000;
     parameters.threads = threads;
-    parameters.ess_threshold = 25000.0;
+    parameters.ess_threshold = 31000.0;
     WindingDrive drive(19);
     FixParticleFilter filter(parameters, 19);
     filter.start(prior_at(drive.truth));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -10,8 +9,8 @@
 
 namespace multipath_localization {
 
-/// Threads that sleep until there is work. Which thread does what is left to chance: results must not depend
-/// on it.
+/// Threads that sleep until there is work. Of as much work each does the same share every time, so that what
+/// it works on stays in its processor's cache.
 class WorkerPool {
  public:
   /// The calling thread is one of them, so that 1 starts none.
@@ -24,8 +23,8 @@ class WorkerPool {
   void for_each(std::size_t count, const std::function<void(std::size_t)>& work);
 
  private:
-  void serve();
-  void take_part();
+  void serve(std::size_t share);
+  void take_part(std::size_t share);
 
   std::mutex mutex_;
   std::condition_variable wake_;
@@ -35,7 +34,6 @@ class WorkerPool {
   bool ends_ = false;
   const std::function<void(std::size_t)>* work_ = nullptr;
   std::size_t count_ = 0;
-  std::atomic<std::size_t> next_{0};
   std::vector<std::thread> threads_;
 };
 

@@ -58,7 +58,7 @@ class ParticleCloud {
       add(poses(block), log_weight, factor, &label_[block_begin(block)]);
       weights_.set(set_, block, log_weight, factor);
     };
-    for_each_block(std::cref(work));
+    for_each_block(size(), std::cref(work));
     has_factors_ = weights_.normalise();
     if (!has_factors_) std::fill(log_weight_.begin(), log_weight_.end(), 0.0);
     return has_factors_;
@@ -84,7 +84,8 @@ class ParticleCloud {
   /// Adds the logarithms of factors to those of weights.
   void take_in(const double* factor, double* log_weight, std::size_t size) const;
   /// By reference, lest the function be copied to the heap.
-  void for_each_block(const std::function<void(std::size_t)>& work);
+  /// Of `size` particles.
+  void for_each_block(std::size_t size, const std::function<void(std::size_t)>& work);
   PoseSums sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work);
 
   InstructionSet set_;
