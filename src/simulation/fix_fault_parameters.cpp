@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdio>
 
 #include "multipath_localization/simulation/fix_faults.hpp"
@@ -8,9 +9,9 @@ namespace {
 
 template <class... Numbers>
 std::string text(const char* format, Numbers... numbers) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof(buffer), format, numbers...);
-  return buffer;
+  std::array<char, 160> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, numbers...);
+  return buffer.data();
 }
 
 std::string told(const BiasFault& f) { return text("bias of %g m east, %g m north", f.east, f.north); }
