@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 #include "multipath_localization/models/gnss_position.hpp"
 #include "multipath_localization/models/odometry_motion.hpp"
@@ -19,7 +20,6 @@ constexpr double kWidestPriorYaw = 1.0;  ///< a wider one counts as unknown [rad
 constexpr double kChordMismatchSigmas = 3.0;
 constexpr double kChordMismatchShare = 0.1;
 
-double square(double x) { return x * x; }
 double angle_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/models/differential_drive.hpp"
 #include "multipath_localization/models/odometry_motion.hpp"
 
@@ -15,8 +16,6 @@ namespace {
 constexpr double kUnknownYawVariance = kPi * kPi / 3.0;  ///< of a uniform heading [rad^2]
 constexpr double kStandstill = 0.01;                     ///< wheels slower than this rest [m/s]
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

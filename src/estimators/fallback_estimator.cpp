@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 
 namespace multipath_localization {
 
 namespace {
-
-double square(double x) { return x * x; }
 
 /// The estimate as a prior at the start of the increment that led to it. What all hypotheses are wider than
 /// the dominant cluster is added in every direction, which keeps the covariance one.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -12,8 +14,6 @@ constexpr double kMaxSlip = 3.0;             ///< distance that slip can have fa
 constexpr double kMaxSlipInterval = 2.0;     ///< never explain an outage by slip [s]
 constexpr double kStandingRateFactor = 0.1;  ///< shadows come and go slower for a robot that stands
 constexpr double kHeadingGateSquared = 9.0;  ///< no heading restart within 3 sigma of the heading held
-
-double square(double x) { return x * x; }
 
 /// Probability of an event of this rate within dt.
 double chance(double rate, double dt) { return 1.0 - std::exp(-rate * dt); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/core/random.hpp"
 #include "multipath_localization/core/random_block.hpp"
 #include "multipath_localization/filters/block_resampling.hpp"
@@ -24,8 +25,6 @@ constexpr double kClusterTurn = 0.6;       ///< [rad]
 constexpr double kYawSigmaFloor = 0.01;    ///< added to the published heading [rad]
 constexpr double kAlignedYawSigma = 0.3;   ///< [rad]
 constexpr double kAlignedDominance = 0.5;  ///< probability mass
-
-double square(double x) { return x * x; }
 
 /// The vector along `direction`, or along x where that has no length.
 Eigen::Vector2d of_length(double length, const Eigen::Vector2d& direction) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/models/odometry_motion.hpp"
 
 namespace multipath_localization {
@@ -10,8 +11,6 @@ namespace {
 
 using odometry_state::kSize;
 using odometry_state::kYaw;
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

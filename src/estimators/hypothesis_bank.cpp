@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -26,11 +28,6 @@ bool agree(const PseudorangeHypothesis& a, const PseudorangeHypothesis& b) {
   const double distance = (a.belief.mean.head<2>() - b.belief.mean.head<2>()).norm();
   return turn < std::max(kLeastTurn, kSameHeading * std::min(yaw_sigma(a), yaw_sigma(b))) &&
          distance < std::max(kLeastDistance, kSamePlace * std::min(position_sigma(a), position_sigma(b)));
-}
-
-double log_sum(double a, double b) {
-  const double high = std::max(a, b);
-  return high + std::log1p(std::exp(std::min(a, b) - high));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/models/odometry_motion.hpp"
 
 namespace multipath_localization {
@@ -20,8 +21,6 @@ constexpr double kMajority = 0.5;             ///< probability above which somet
 constexpr double kSettledYawSigma = 0.35;     ///< of the heading there [rad]
 constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
-
-double square(double x) { return x * x; }
 
 /// Draws the index of one candidate in proportion to exp(log_weight), and gives log(sum(exp(log_weight))).
 std::pair<std::size_t, double> draw(const std::array<double, kFixCandidates>& log_weight, double u) {

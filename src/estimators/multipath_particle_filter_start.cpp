@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/multipath_particle_filter.hpp"
 
 namespace multipath_localization {
@@ -9,8 +10,6 @@ namespace {
 
 constexpr double kRingSpacing = 0.6;        ///< 1 sigma of a start heading, in spacings of the ring
 constexpr double kMinStartYawSigma = 0.05;  ///< [rad]
-
-double square(double x) { return x * x; }
 
 /// Interleaves the classes in proportion to their priors: the class of each of `count` particles.
 std::vector<std::size_t> interleaved(const ReceiverClasses& classes, std::size_t count) {

@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "multipath_localization/core/instruction_set.hpp"
+#include "multipath_localization/core/numbers.hpp"
 
 namespace multipath_localization {
 
 namespace {
-
-double square(double x) { return x * x; }
 
 /// P - r r' of n x n, column by column.
 void subtract_square(double* P, const double* r, Eigen::Index n) {

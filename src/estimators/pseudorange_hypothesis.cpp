@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/models/pseudorange.hpp"
 
 namespace multipath_localization {
@@ -17,8 +18,6 @@ constexpr double kJumpSigmas = 5.0;
 constexpr double kChangeOfSpeed = 2.0;  // of a vehicle within the age of a measurement [m/s^2]
 
 constexpr double kQuarter = 0.25;
-
-double square(double x) { return x * x; }
 
 /// Values and their weights, one a satellite, which has a slot.
 using WeightedValues = boost::container::static_vector<std::pair<double, double>, SatelliteSlots::kCapacity>;

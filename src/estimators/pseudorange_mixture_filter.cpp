@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/epoch_check.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 #include "multipath_localization/estimators/hypothesis_bank.hpp"
@@ -23,8 +24,6 @@ constexpr double kSettledYawSigma = 0.3;  // [rad]
 constexpr double kUnsettle = 0.8;         // mass of the cluster that ends an alignment
 constexpr std::size_t kCloud = 200;
 constexpr double kAgreementTime = 4.0;  // single epochs do not make a doubt [s]
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

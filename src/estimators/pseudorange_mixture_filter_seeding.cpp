@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/pseudorange_mixture_filter.hpp"
 #include "multipath_localization/models/odometry_motion.hpp"
 
@@ -16,8 +17,6 @@ constexpr double kSeedSigma = 5.0;               // [m]
 constexpr double kSeedLogScale = 3.0;            // tempers the choice of seeds: errors of one epoch mislead
 constexpr int kReseedPart = 4;                   // of the hypotheses at the start
 constexpr int kWatchPart = 8;                    // likewise, when aligned
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -12,8 +14,6 @@ constexpr double kVelocitySigma = 0.2;   ///< across the course [m/s]
 constexpr double kSideslip = 0.01;       ///< 1 sigma between course and yaw [rad]
 constexpr double kReversing = -0.05;     ///< [m/s]
 constexpr double kFullNoiseSpeed = 1.0;  ///< slower, the odometry errs less [m/s]
-
-double square(double x) { return x * x; }
 
 void move_by_doppler(Pose2& pose, PseudorangeParticle& particle, const OdometryIncrement& u,
                      const OdometryIncrement& before, const PseudorangeMotionParameters& parameters,

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/epoch_check.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 #include "multipath_localization/models/signal_weights.hpp"
@@ -21,8 +22,6 @@ constexpr double kAlignedYawSigma = 0.3;   ///< [rad]
 constexpr double kAlignedDominance = 0.5;  ///< probability mass
 constexpr double kMoving = 0.5;            ///< by Doppler [m/s]
 constexpr double kVelocityLasts = 3.0;     ///< without an epoch [s]
-
-double square(double x) { return x * x; }
 
 double free_or(double sigma, const std::string& constellations) {
   return constellations == "tied" ? sigma : std::numeric_limits<double>::infinity();

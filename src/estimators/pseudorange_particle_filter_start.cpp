@@ -2,6 +2,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 #include "multipath_localization/estimators/pseudorange_particle_filter.hpp"
 
@@ -11,8 +12,6 @@ namespace {
 
 constexpr double kRestartYawSigma = 0.3;      ///< [rad]
 constexpr double kMostRestartedAtOnce = 0.1;  ///< of the particles: an outage does not make the fix better
-
-double square(double x) { return x * x; }
 
 /// Any matrix of which M M' is the covariance.
 template <int N>

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/pseudorange_particle_filter.hpp"
 #include "multipath_localization/filters/resampling.hpp"
 
@@ -13,8 +14,6 @@ namespace {
 constexpr std::uint32_t kResampling = 0xFFFFFFFFU;  ///< random stream beside those of the particles
 constexpr double kClockSigma = 3.0;  ///< of a constellation's mean clock, beside its weights [m]
 constexpr double kNever = -std::numeric_limits<double>::infinity();
-
-double square(double x) { return x * x; }
 
 /// log of the likelihood, Eqs. (11), (12) of [SUZ], up to a constant. Departs, unless "distance": Eq. (12)
 /// prints the normal density without the determinant of Sigma.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/filters/resampling.hpp"
 
 namespace multipath_localization {
@@ -24,8 +25,6 @@ using Matrix = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 int offset_index(const SatelliteObservation& observation) {
   return 4 + static_cast<int>(observation.constellation);
 }
-
-double square(double x) { return x * x; }
 
 /// What is known before the satellites of a subset are looked at: mean and inverse covariance.
 struct Information {

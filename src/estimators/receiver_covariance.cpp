@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "multipath_localization/core/numbers.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -11,8 +13,6 @@ namespace {
 constexpr std::size_t kFewest = 5;           ///< deviations that tell something
 constexpr double kStanding = 0.02;           ///< way between fixes of a robot that stands [m]
 const double kMedian = 2.0 * std::log(2.0);  ///< of the squared length of a standard normal 2-vector
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/models/odometry_motion.hpp"
 
 namespace multipath_localization {
@@ -15,8 +16,6 @@ using odometry_state::kYaw;
 
 constexpr double kWidestBiasSigmas = 3.0;
 constexpr double kLeastShare = 1e-3;  ///< of a fix that repeats one of the same instant
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "multipath_localization/core/elementary.hpp"
+#include "multipath_localization/core/numbers.hpp"
 
 namespace multipath_localization {
 
 namespace {
-
-double square(double x) { return x * x; }
 
 /// w / (2 pi sigma^2) exp(-d^2 / (2 sigma^2)), the kernel of Eqs. (27), (31), as the logarithm
 /// `peak - precision d^2`.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/models/gnss_position.hpp"
 
 namespace multipath_localization::odometry_state {
@@ -9,8 +10,6 @@ namespace multipath_localization::odometry_state {
 namespace {
 
 constexpr double kUnknownYawVariance = kPi * kPi / 3.0;  ///< of a uniform heading [rad^2]
-
-double square(double x) { return x * x; }
 
 }  // namespace
 

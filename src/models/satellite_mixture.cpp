@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/core/numbers.hpp"
 
 namespace multipath_localization {
 
@@ -24,11 +25,6 @@ double log_erfc(double z) {
   if (z < kAsymptotic) return std::log(std::erfc(z));
   const double s = 1.0 / (2.0 * z * z);
   return -z * z - std::log(z * std::sqrt(kPi)) + std::log1p(-s * (1.0 - 3.0 * s * (1.0 - 5.0 * s)));
-}
-
-double log_sum(double a, double b) {
-  const double high = std::max(a, b);
-  return high + std::log1p(std::exp(std::min(a, b) - high));
 }
 
 }  // namespace
