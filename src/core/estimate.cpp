@@ -26,6 +26,7 @@ std::string_view to_string(Reason reason) {
     case Reason::kWrongBaseline: return "wrong baseline";
     case Reason::kTooManySatellites: return "too many satellites";
     case Reason::kUnpaired: return "unpaired";
+    case Reason::kOverload: return "overload";
   }
   return "unknown";
 }

@@ -16,6 +16,13 @@ Pose2 displacement(const OdometryIncrement& increment) {
   return {chord * std::cos(0.5 * turn), chord * std::sin(0.5 * turn), wrap_angle(turn)};
 }
 
+OdometryIncrement joined(const OdometryIncrement& first, const OdometryIncrement& second) {
+  const double duration = first.duration + second.duration;
+  const double share = second.duration / duration;
+  return {second.stamp, duration, first.speed + share * (second.speed - first.speed),
+          first.yaw_rate + share * (second.yaw_rate - first.yaw_rate)};
+}
+
 namespace {
 
 /// Of a fix or an epoch; false where it cannot.

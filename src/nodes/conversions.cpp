@@ -12,6 +12,7 @@ namespace {
 const Eigen::Vector3d kDefaultPoseSigmas(0.5, 0.5, kPi / 12.0);  ///< x, y, yaw as amcl starts from
 constexpr double kHighestAltitude = 100e3;
 constexpr double kFurthestPose = 1e7;
+constexpr std::size_t kLongestFrame = 256;
 constexpr double kShortestBaseline = 0.01;
 constexpr std::size_t kX = 0, kY = 7, kYaw = 35, kXY = 1, kXYaw = 5, kYYaw = 11;       ///< in a row-major 6x6
 constexpr std::size_t kEast = 0, kEastNorth = 1, kNorthEast = 3, kNorth = 4, kUp = 8;  ///< in a row-major 3x3
@@ -54,6 +55,12 @@ std::string without_slash(const std::string& frame) {
   return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
 }
 
+bool is_short(const std::string& frame) { return frame.size() <= kLongestFrame; }
+
+std::string shown(const std::string& frame) {
+  return is_short(frame) ? frame : frame.substr(0, kLongestFrame) + "...";
+}
+
 void FixParameters::fields(ParameterVisitor& field) {
   field("default_sigma", default_sigma, {1e-3, 1e3}, "m",
         "of a fix whose covariance is zero or of unknown type");
@@ -74,6 +81,7 @@ double declared_sigma(const sensor_msgs::NavSatFix& message) {
 
 Reason check(const sensor_msgs::NavSatFix& message, const FixParameters& parameters) {
   if (message.header.stamp.isZero()) return Reason::kZeroStamp;
+  if (!is_short(message.header.frame_id)) return Reason::kInvalidFrame;
   if (message.status.status < parameters.min_fix_status) return Reason::kNoFix;
   if (!std::isfinite(message.latitude) || !std::isfinite(message.longitude)) return Reason::kNotFinite;
   if (!valid(to_geodetic(message)) || std::abs(message.altitude) > kHighestAltitude) {

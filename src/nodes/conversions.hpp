@@ -22,6 +22,11 @@ namespace multipath_localization {
 /// A frame's name as tf2 has it, without a leading slash.
 std::string without_slash(const std::string& frame);
 
+/// Whether a frame's name is short enough to be looked up, kept and shown: 256 bytes.
+bool is_short(const std::string& frame);
+/// The name, cut off where it is too long.
+std::string shown(const std::string& frame);
+
 /// How fixes are read.
 struct FixParameters {
   double default_sigma = 3.0;

@@ -7,6 +7,7 @@
 
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/models/pseudorange.hpp"
+#include "nodes/conversions.hpp"
 
 namespace multipath_localization {
 
@@ -109,6 +110,7 @@ void EpochParameters::fields(ParameterVisitor& field) {
 
 Reason check(const GnssEpoch& message, const EpochParameters& parameters) {
   if (message.header.stamp.isZero()) return Reason::kZeroStamp;
+  if (!is_short(message.header.frame_id)) return Reason::kInvalidFrame;
   if (message.pseudoranges.size() > kMostSatellites) return Reason::kTooManySatellites;
   return usable_satellites(message, parameters).empty() ? Reason::kTooFewSatellites : Reason::kAccepted;
 }

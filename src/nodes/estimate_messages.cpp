@@ -99,6 +99,7 @@ LocalizationState to_state(const Localizer& localizer, const std_msgs::Header& h
 FixReport to_report(const GnssMessage& message) {
   FixReport report;
   report.header = header_of(message);
+  report.header.frame_id = shown(report.header.frame_id);
   report.kind = kGnssKinds[message.index()];
   report.declared_sigma = declared_sigma(message);
   report.observed_sigma = report.used_sigma = kNan;

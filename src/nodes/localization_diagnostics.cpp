@@ -11,7 +11,8 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-constexpr double kLongSilence = 2.0;  ///< [s]
+constexpr double kLongSilence = 2.0;     ///< [s]
+constexpr std::size_t kMostFrames = 10;  ///< unknown to tf, that are told
 
 std::string most_frequent_refusal(const InputMonitor& input) {
   Reason found = Reason::kAccepted;
@@ -54,8 +55,13 @@ unsigned char level_of(Trust trust) {
 
 LocalizationDiagnostics::LocalizationDiagnostics(const GnssInputs& gnss, const InputMonitor& odometry,
                                                  const Localizer& localizer, const TfWatch& tf,
-                                                 const LocalizationParameters& parameters)
-    : gnss_(gnss), odometry_(odometry), localizer_(localizer), tf_(tf), parameters_(parameters) {
+                                                 Backlog& backlog, const LocalizationParameters& parameters)
+    : gnss_(gnss),
+      odometry_(odometry),
+      localizer_(localizer),
+      tf_(tf),
+      backlog_(backlog),
+      parameters_(parameters) {
   updater_.setHardwareID("none");
   updater_.add("odometry", this, &LocalizationDiagnostics::report_odometry);
   updater_.add("filter", this, &LocalizationDiagnostics::report_filter);
@@ -73,7 +79,9 @@ void LocalizationDiagnostics::report() {
 }
 
 bool LocalizationDiagnostics::set_antenna_frame(const std::string& frame, bool known) {
-  if (!known) return unknown_antenna_frames_.insert(frame).second;
+  if (!known) {
+    return unknown_antenna_frames_.size() < kMostFrames && unknown_antenna_frames_.insert(frame).second;
+  }
   unknown_antenna_frames_.erase(frame);
   return false;
 }
@@ -126,6 +134,14 @@ void LocalizationDiagnostics::report_filter(Status& status) {
   const PoseEstimate estimate = localizer_.estimate();
   const Trust trust = localizer_.state();
   status.summary(level_of(trust), std::string(to_string(trust)) + ": " + localizer_.state_reason());
+  const Backlog::LeftOut left_out = backlog_.take_left_out();
+  if (left_out.measurements > 0 || left_out.increments > 0) {
+    status.summaryf(
+        DiagnosticStatus::WARN,
+        "does not keep up: %u measurements not weighed, %u of odometry summed up; lower the number "
+        "of particles or the rates",
+        left_out.measurements, left_out.increments);
+  }
   if (!note_.empty()) status.summary(DiagnosticStatus::WARN, std::exchange(note_, ""));
   status.add("estimator", parameters_.estimator);
   status.add("poses since last report", std::exchange(poses_, 0));

@@ -9,6 +9,7 @@
 
 #include "multipath_localization/FixReport.h"
 #include "multipath_localization/estimators/localizer.hpp"
+#include "nodes/backlog.hpp"
 #include "nodes/gnss_inputs.hpp"
 #include "nodes/tf_watch.hpp"
 
@@ -20,7 +21,7 @@ class LocalizationDiagnostics {
  public:
   /// Looks at its arguments whenever it reports; they have to outlive it.
   LocalizationDiagnostics(const GnssInputs& gnss, const InputMonitor& odometry, const Localizer& localizer,
-                          const TfWatch& tf, const LocalizationParameters& parameters);
+                          const TfWatch& tf, Backlog& backlog, const LocalizationParameters& parameters);
 
   /// Publishes all. To be called at a steady rate.
   void report();
@@ -56,6 +57,7 @@ class LocalizationDiagnostics {
   const InputMonitor& odometry_;
   const Localizer& localizer_;
   const TfWatch& tf_;
+  Backlog& backlog_;
   const LocalizationParameters& parameters_;
   std::array<Figures, kGnssKinds.size()> figures_;
   unsigned refused_odometry_ = 0;  ///< at the last report

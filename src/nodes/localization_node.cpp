@@ -1,5 +1,6 @@
 #include "nodes/localization_node.hpp"
 
+#include <ros/callback_queue.h>
 #include <ros/console.h>
 
 #include <algorithm>
@@ -9,9 +10,12 @@ namespace multipath_localization {
 
 namespace {
 
+constexpr std::uint32_t kQueue = 5000;     ///< of odometry, seconds of it at 1 kHz
+constexpr double kLongestHeld = 0.1;       ///< odometry that is summed up [s]
 constexpr double kAnsweredLate = 0.5;      ///< [s]
 constexpr double kTellEvery = 5.0;         ///< [s]
 constexpr double kDiagnosticsEvery = 1.0;  ///< [s]
+constexpr double kWaitForMessages = 0.1;   ///< [s]
 
 ros::TransportHints at_once() { return ros::TransportHints().tcpNoDelay(); }
 
@@ -31,10 +35,11 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       gnss_(
           node, parameters_.gnss.pair_tolerance, used_, [this](const GnssMessage& m) { on_gnss(m); },
           [this](const sensor_msgs::NavSatFix& fix) { on_unpaired(fix); }),
-      odometry_input_("odom", {node.subscribe("odom", 1000, &LocalizationNode::on_odometry, this, at_once())},
-                      true),
-      diagnostics_(gnss_, odometry_input_, localizer_, tf_, parameters_),
-      reconfiguration_(private_node, [this](ParameterVisitor& field) { tune(field); }) {
+      odometry_input_(
+          "odom", {node.subscribe("odom", kQueue, &LocalizationNode::on_odometry, this, at_once())}, true),
+      diagnostics_(gnss_, odometry_input_, localizer_, tf_, backlog_, parameters_),
+      reconfiguration_(private_node, [this](ParameterVisitor& field) { tune(field); }),
+      backlog_(parameters_.max_lag) {
   initial_pose_ = node.subscribe("initialpose", 5, &LocalizationNode::on_pose, this);
   pose_to_set_ = node.subscribe("set_pose", 5, &LocalizationNode::on_pose, this);
   set_pose_ = node.advertiseService("set_pose", &LocalizationNode::on_set_pose, this);
@@ -57,6 +62,14 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
            parameters_.frames.base_link_frame.c_str());
 }
 
+void LocalizationNode::spin() {
+  while (ros::ok()) {
+    backlog_.begin_turn();
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kWaitForMessages));
+    if (held_.duration() > 0.0) answer_odometry();
+  }
+}
+
 void LocalizationNode::tune(ParameterVisitor& field) {
   map_to_odom_.tune(field);
   VisitedGroup localizer{[this](ParameterVisitor& inner) { localizer_.tune(inner); }};
@@ -77,75 +90,27 @@ void LocalizationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) 
     return;
   }
   const ros::WallTime begin = ros::WallTime::now();
-  localizer_.add(checked.increment);
+  if (const auto before = held_.add(checked.increment)) localizer_.add(*before);
   odometry_ = {with_motion(*message, checked.increment), checked.base_in_odom};
   if (!std::exchange(started_, true)) resume();
   unanswered_.push_back(*odometry_);
   if (parameters_.outputs.publish_odom_tf && tf_.broadcaster_of_base().empty()) {
     map_to_odom_.send_odometry(checked.base_in_odom, message->header.stamp);
   }
-  publish_poses();
-  publish_reports();
+  if (backlog_.take(begin) && held_.duration() < kLongestHeld) return backlog_.count_merged();
+  answer_odometry();
   for (const auto& [kind, early] : std::exchange(early_, {})) use(early);
   diagnostics_.add_update_time((ros::WallTime::now() - begin).toSec());
 }
 
-void LocalizationNode::on_gnss(const GnssMessage& message) {
-  if (!enabled_) return;
-  watch_clock();
-  reports_.open(to_report(message));
-  if (odometry_) return use(message);
-  const auto earlier = early_.find(message.index());
-  if (earlier != early_.end()) refuse(earlier->second, Reason::kNotStarted);
-  early_.insert_or_assign(message.index(), message);
+void LocalizationNode::catch_up() {
+  if (const auto increment = held_.take()) localizer_.add(*increment);
 }
 
-void LocalizationNode::on_unpaired(const sensor_msgs::NavSatFix& fix) {
-  if (!enabled_) return;
-  FixReport report = to_report(fix);
-  report.kind = kGnssKinds[kDualKind];
-  const Reason defect = check(fix, parameters_.gnss.fix);
-  publish(reports_.numbered(report), refused(defect == Reason::kAccepted ? Reason::kUnpaired : defect));
-}
-
-void LocalizationNode::use(const GnssMessage& message) {
-  const Reason reason = hand_over(message);
-  if (reason != Reason::kAccepted) refuse(message, reason);
-  publish_reports();
+void LocalizationNode::answer_odometry() {
+  catch_up();
   publish_poses();
-}
-
-void LocalizationNode::refuse(const GnssMessage& message, Reason reason) {
-  const auto report = reports_.close(kGnssKinds[message.index()], header_of(message).stamp.toSec());
-  if (report) publish(*report, refused(reason));
-}
-
-Reason LocalizationNode::hand_over(const GnssMessage& message) {
-  const Reason defect = check(message, parameters_.gnss);
-  if (defect != Reason::kAccepted) return defect;
-  if (!used_[message.index()]) return Reason::kUnused;
-  if (!datum_.map()) {
-    const std::optional<Geodetic> place = place_of(message, parameters_.gnss);
-    if (place) datum_.add(header_of(message).stamp.toSec(), *place);
-    map_services_.tell_origin(header_of(message).stamp);
-  }
-  if (!datum_.map()) return Reason::kNotStarted;
-  const CheckedMeasurement checked =
-      to_measurement(message, *datum_.map(), parameters_.gnss,
-                     [this](const std::string& frame) { return antenna_in_base(frame); });
-  if (checked.reason != Reason::kAccepted) return checked.reason;
-  outputs_.publish_fixes(checked.measurement, message);
-  localizer_.add(checked.measurement);
-  return Reason::kAccepted;
-}
-
-std::optional<Eigen::Vector2d> LocalizationNode::antenna_in_base(const std::string& frame) {
-  const std::optional<Eigen::Vector2d> antenna = tf_.origin_in_base(frame);
-  if (diagnostics_.set_antenna_frame(frame, antenna || !parameters_.gnss.antenna.empty())) {
-    ROS_WARN("no transform from %s to %s%s", parameters_.frames.base_link_frame.c_str(), frame.c_str(),
-             parameters_.gnss.require_antenna_transform ? "" : ": a lone antenna is taken to be at the base");
-  }
-  return antenna;
+  publish_reports();
 }
 
 void LocalizationNode::publish_poses() {
@@ -167,27 +132,6 @@ void LocalizationNode::publish_poses() {
   if (!estimate.aligned) map_to_odom_.jump();
   save_pose(estimate);
   map_to_odom_.send(odom_in_map, odometry_->base_in_odom, odometry_stamp(), ros::Time::now());
-}
-
-void LocalizationNode::publish_reports() {
-  for (const MeasurementReport& done : localizer_.take_reports()) {
-    std::optional<FixReport> report = reports_.close(kGnssKinds[done.measurement.index()], done.stamp);
-    if (!report) continue;
-    report->usable_satellites = static_cast<std::uint32_t>(satellites_of(done.measurement));
-    if (done.observed_sigma) report->observed_sigma = *done.observed_sigma;
-    if (done.used_sigma) report->used_sigma = *done.used_sigma;
-    publish(*report, done.innovation);
-    outputs_.publish_bias(localizer_.estimate(), odometry_stamp());
-  }
-}
-
-void LocalizationNode::publish(FixReport report, const Innovation& innovation) {
-  const auto* const name = std::find(kGnssKinds.begin(), kGnssKinds.end(), report.kind);
-  const auto kind = static_cast<std::size_t>(name - kGnssKinds.begin());
-  report = concluded(report, innovation, odometry_stamp().toSec());
-  gnss_.of(kind).count(innovation.reason);
-  diagnostics_.add(report, kind);
-  outputs_.publish(report);
 }
 
 }  // namespace multipath_localization

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "nodes/backlog.hpp"
 #include "nodes/datum.hpp"
 #include "nodes/estimate_messages.hpp"
 #include "nodes/gnss_inputs.hpp"
@@ -31,6 +32,9 @@ class LocalizationNode {
  public:
   LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node, const LocalizationSettings& settings);
 
+  /// Takes messages until ROS shuts down.
+  void spin();
+
  private:
   struct ReadOdometry {
     nav_msgs::Odometry message;  ///< its twist is the motion read from it
@@ -47,6 +51,10 @@ class LocalizationNode {
 
   /// The antenna of a frame on the base, nothing where tf does not know.
   std::optional<Eigen::Vector2d> antenna_in_base(const std::string& frame);
+  /// Hands what odometry is held to the localizer.
+  void catch_up();
+  /// The same, and publishes what comes of it.
+  void answer_odometry();
   /// Reads a measurement and hands it to the localizer, or gives the reason why not.
   Reason hand_over(const GnssMessage& message);
   /// The same, and publishes what comes of it.
@@ -93,6 +101,8 @@ class LocalizationNode {
   LocalizationDiagnostics diagnostics_;
 
   Reconfiguration reconfiguration_;
+  Backlog backlog_;
+  HeldOdometry held_;
 
   bool enabled_ = true;
   bool started_ = false;  ///< odometry was there

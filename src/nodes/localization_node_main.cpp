@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
   try {
     const ml::LocalizationSettings settings =
         ml::LocalizationSettings::from(ml::read_parameters(private_node));
-    const ml::LocalizationNode node(ros::NodeHandle(), private_node, settings);
-    ros::spin();
+    ml::LocalizationNode node(ros::NodeHandle(), private_node, settings);
+    node.spin();
   } catch (const ml::ParameterError& error) {
     ROS_FATAL("%s: %s", ros::this_node::getName().c_str(), error.what());
     return 1;

@@ -21,7 +21,7 @@ bool LocalizationNode::set_pose(const geometry_msgs::PoseWithCovarianceStamped& 
   const std::string frame = without_slash(message.header.frame_id);
   std::optional<PosePrior> prior = to_prior(message);
   if (!frame.empty() && frame != parameters_.frames.map_frame) {
-    ROS_WARN("pose refused: it is given in %s, not in %s", frame.c_str(),
+    ROS_WARN("pose refused: it is given in %s, not in %s", shown(frame).c_str(),
              parameters_.frames.map_frame.c_str());
   } else if (!prior) {
     ROS_WARN("pose refused: pose or covariance cannot be used");
@@ -54,6 +54,7 @@ void LocalizationNode::restart(const std::string& why, const std::optional<PoseP
   diagnostics_.note("started afresh: " + why);
   publish_reports();
   localizer_.start(prior);
+  held_.take();
   map_to_odom_.jump();
   early_.clear();
   unanswered_.clear();

@@ -50,6 +50,9 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
         "absolute path where the pose is saved every second, and read at the next start, so that a node that "
         "died goes on where it was; empty: nowhere");
   field("pose_file_max_age", pose_file_max_age, {0.0, 1e6}, "s", "an older pose does not count");
+  field("max_lag", max_lag, {0.05, 10.0}, "s",
+        "messages that have waited longer than this for their turn are not weighed, odometry is summed up "
+        "meanwhile");
   field(
       "datum_averaging", datum_averaging, {0.0, 600.0}, "s",
       "without a datum, map's origin is the median of the fixes (of raw epochs the least-squares solutions) "

@@ -48,6 +48,7 @@ struct LocalizationParameters {
   std::string datum_file;
   std::string pose_file;
   double pose_file_max_age = 60.0;
+  double max_lag = 0.3;
   double datum_averaging = 0.0;
   GnssParameters gnss;
   OdometryParameters odometry;

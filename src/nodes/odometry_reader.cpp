@@ -83,6 +83,7 @@ Reason OdometryReader::check_content(const nav_msgs::Odometry& message) const {
   if (message.header.stamp.isZero()) return Reason::kZeroStamp;
   if (message.header.stamp.toSec() > kLatestStamp) return Reason::kFutureStamp;
   const std::string frame = without_slash(message.header.frame_id);
+  if (!is_short(frame)) return Reason::kInvalidFrame;
   if (!map_frame_.empty() && frame == map_frame_) return Reason::kInvalidFrame;
   if (!finite(message)) return Reason::kNotFinite;
   if (!to_pose2(message.pose.pose)) return Reason::kInvalidPosition;

@@ -67,7 +67,7 @@ void SteeringNode::advertise(ros::NodeHandle& node, ros::NodeHandle& private_nod
 
 void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
   if (without_slash(message.header.frame_id) != parameters_.map_frame) {
-    ROS_WARN_STREAM_THROTTLE(5.0, "pose in frame '" << message.header.frame_id << "' instead of '"
+    ROS_WARN_STREAM_THROTTLE(5.0, "pose in frame '" << shown(message.header.frame_id) << "' instead of '"
                                                     << parameters_.map_frame << "' is not driven by");
     return;
   }
@@ -108,8 +108,12 @@ void SteeringNode::place_waypoints() {
 
 void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
   if (without_slash(message.header.frame_id) != parameters_.map_frame) {
-    ROS_ERROR_STREAM("waypoints in frame '" << message.header.frame_id << "' instead of '"
+    ROS_ERROR_STREAM("waypoints in frame '" << shown(message.header.frame_id) << "' instead of '"
                                             << parameters_.map_frame << "' are refused");
+    return;
+  }
+  if (message.poses.size() > kMostWaypoints) {
+    ROS_ERROR_STREAM(message.poses.size() << " waypoints are refused: more than " << kMostWaypoints);
     return;
   }
   std::vector<Eigen::Vector2d> waypoints;

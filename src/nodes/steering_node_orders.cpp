@@ -50,7 +50,7 @@ Answer SteeringNode::obey(const std::string& order, const Answer& answer) {
 
 void SteeringNode::take_clicked_point(const geometry_msgs::PointStamped& message) {
   if (without_slash(message.header.frame_id) != parameters_.map_frame) {
-    obey("clicked point", {false, "it is in frame '" + message.header.frame_id + "'"});
+    obey("clicked point", {false, "it is in frame '" + shown(message.header.frame_id) + "'"});
     return;
   }
   obey("clicked point", record({message.point.x, message.point.y}));

@@ -31,6 +31,7 @@ void TfWatch::on_transforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& 
   if (broadcaster == ros::this_node::getName()) return;
   for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
     const std::string child = without_slash(transform.child_frame_id);
+    if (!is_short(child) || !is_short(transform.header.frame_id)) continue;
     if (child == frames_.odom_frame || child == frames_.base_link_frame) {
       broadcasters_[child] = {broadcaster, ros::WallTime::now(), is_static};
     }

@@ -58,6 +58,27 @@ TEST(Displacement, OfAFullTurnEndsWhereItBegan) {
   EXPECT_TRUE(PoseNear(displacement({0.0, 2.0 * kPi, 3.0, 1.0}), Pose2{}, 1e-12));
 }
 
+TEST(Joined, KeepsTheWayTheTurnAndTheTime) {
+  const OdometryIncrement first{1.2, 0.2, 1.5, -0.4};
+  const OdometryIncrement second{1.3, 0.1, -0.6, 0.5};
+  const OdometryIncrement both = joined(first, second);
+  EXPECT_EQ(both.stamp, 1.3);
+  EXPECT_NEAR(both.duration, 0.3, 1e-15);
+  EXPECT_NEAR(both.speed * both.duration, 0.3 - 0.06, 1e-15);
+  EXPECT_NEAR(both.yaw_rate * both.duration, -0.08 + 0.05, 1e-15);
+}
+
+TEST(Joined, OfMillisecondsEndsWhereTheyEnd) {
+  Pose2 apart;
+  std::optional<OdometryIncrement> together;
+  for (int i = 1; i <= 100; ++i) {
+    const OdometryIncrement u{1e-3 * i, 1e-3, 1.0 + 1e-3 * i, 0.5 + 2e-3 * i};
+    apart = apart * displacement(u);
+    together = together ? joined(*together, u) : u;
+  }
+  EXPECT_TRUE(PoseNear(displacement(*together), apart, 3e-4));
+}
+
 TEST(Measurement, KnowsItsStamp) {
   GnssFix fix;
   fix.stamp = 12.5;

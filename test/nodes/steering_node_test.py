@@ -93,9 +93,10 @@ class SteeringNodeTest(SteeringCase):
         time.sleep(0.3)
         self.assertEqual(self.progress.message.data, 1.25)
 
-    def test_refuses_waypoints_of_another_frame_or_not_finite(self):
+    def test_refuses_waypoints_of_another_frame_not_finite_or_too_many(self):
         self.set_waypoints([(-50, 0)], frame="odom")
         self.set_waypoints([(-50, float("nan"))])
+        self.set_waypoints(20000 * [(-50, 0)])
         command = self.expect("driving", 0.0, 0.0, 0.0)
         self.assertLess(abs(command.steering_angle), 0.3)  # on the way to (10, 0) still: (-50, 0) lies behind
 

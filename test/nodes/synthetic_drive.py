@@ -181,12 +181,12 @@ class Session:
             self.condition.notify_all()
 
     def wait(self, done, what, timeout=10.0):
+        deadline = time.monotonic() + timeout
         with self.condition:
-            for _ in range(int(timeout / 0.05)):
-                if done():
-                    return
+            while not done():
+                if time.monotonic() > deadline:
+                    raise AssertionError('waited in vain for ' + what)
                 self.condition.wait(0.05)
-        raise AssertionError('waited in vain for ' + what)
 
     def send_odometry(self, message, answered=True):
         """Sends odometry and, if it has to be answered, waits for its pose and returns it."""

@@ -36,6 +36,16 @@ TEST(ToFix, RefusesStampOfZero) {
   EXPECT_EQ(reason_after([](auto& f) { f.header.stamp = ros::Time(); }), Reason::kZeroStamp);
 }
 
+TEST(ToFix, RefusesANameOfAFrameThatIsTooLong) {
+  EXPECT_EQ(reason_after([](auto& f) { f.header.frame_id = std::string(256, 'a'); }), Reason::kAccepted);
+  EXPECT_EQ(reason_after([](auto& f) { f.header.frame_id = std::string(257, 'a'); }), Reason::kInvalidFrame);
+}
+
+TEST(Frame, IsShownCutOffWhereItIsTooLong) {
+  EXPECT_EQ(shown("gps"), "gps");
+  EXPECT_EQ(shown(std::string(1000000, 'a')).size(), 256U + 3U);
+}
+
 TEST(ToFix, RefusesStatusBelowTheOneAskedFor) {
   sensor_msgs::NavSatFix fix = good_fix();
   fix.status.status = -1;

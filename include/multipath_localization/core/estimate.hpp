@@ -30,6 +30,7 @@ enum class Reason {
   kWrongBaseline,      ///< two antennas seen at another distance than they are mounted at
   kTooManySatellites,  ///< more than any receiver tracks
   kUnpaired,           ///< a fix of one of two antennas without one of the other at its time
+  kOverload,           ///< not weighed, because the computer does not keep up
 };
 
 /// "accepted", "not finite", ...: one stable text per reason.
@@ -48,7 +49,7 @@ struct Innovation {
 /// Whether it is the measurement's own fault that it was not used.
 inline bool is_fault(Reason reason) {
   return reason != Reason::kAccepted && reason != Reason::kUnused && reason != Reason::kNotNeeded &&
-         reason != Reason::kRepeated;
+         reason != Reason::kRepeated && reason != Reason::kOverload;
 }
 
 inline Innovation refused(Reason reason) {

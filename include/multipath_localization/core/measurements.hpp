@@ -25,6 +25,10 @@ struct OdometryIncrement {
 /// without the singularity of Eq. (3) of [NIS] at zero yaw rate.
 Pose2 displacement(const OdometryIncrement& increment);
 
+/// Two increments that follow each other as one of the same duration, way and turn. Its end lies off theirs
+/// by no more than the length of the path times the turn.
+OdometryIncrement joined(const OdometryIncrement& first, const OdometryIncrement& second);
+
 /// A position from a GNSS receiver, in the ENU map frame.
 struct GnssFix {
   double stamp = 0.0;                                         ///< time of measurement [s]
