@@ -1,10 +1,11 @@
 // Runs estimators over a recorded drive, a bag or a simulated scenario and says how far off they were.
 
+#include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <boost/program_options.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -198,21 +199,24 @@ void write_file(const std::string& file, const std::string& content) {
   if (!out.flush()) throw std::runtime_error("cannot write " + file);
 }
 
-std::string shell_quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
+/// Runs a program with arguments, without a shell between; returns whether it ended well.
+bool run(std::vector<std::string> command) {
+  std::vector<char*> arguments;
+  for (std::string& argument : command) arguments.push_back(argument.data());
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  if (posix_spawn(&child, arguments.front(), nullptr, nullptr, arguments.data(), environ) != 0) return false;
+  int status = 0;
+  return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 void plot(const std::string& file, const std::string& trace) {
   const std::string script = package_file("plot_evaluation", "scripts/plot_evaluation");
   const std::string trace_file = file + ".trace.json";
   write_file(trace_file, trace);
-  const std::string command =
-      shell_quoted(script) + " " + shell_quoted(trace_file) + " " + shell_quoted(file);
-  const int status = std::system(command.c_str());
+  const bool drawn = run({script, trace_file, file});
   fs::remove(trace_file);
-  if (status != 0) throw std::runtime_error("cannot draw " + file);
+  if (!drawn) throw std::runtime_error("cannot draw " + file);
 }
 
 std::vector<RunRecord> make_runs(const Options& options, std::vector<NamedStream>& streams) {
