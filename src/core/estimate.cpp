@@ -1,5 +1,9 @@
 #include "multipath_localization/core/estimate.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
 #include "multipath_localization/core/trust.hpp"
 
 namespace multipath_localization {
@@ -29,6 +33,18 @@ std::string_view to_string(Reason reason) {
     case Reason::kOverload: return "overload";
   }
   return "unknown";
+}
+
+Eigen::Matrix3d covariance_overall(const PoseEstimate& estimate) {
+  Eigen::Matrix3d covariance = 0.5 * (estimate.covariance + estimate.covariance.transpose());
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> wider;
+  wider.computeDirect(estimate.position_covariance_overall - covariance.topLeftCorner<2, 2>());
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector2d axis =
+        std::sqrt(std::max(0.0, wider.eigenvalues()(i))) * wider.eigenvectors().col(i);
+    covariance.topLeftCorner<2, 2>() += axis * axis.transpose();
+  }
+  return covariance;
 }
 
 std::string_view to_string(Trust state) {

@@ -19,12 +19,13 @@ constexpr std::size_t kYX = 6, kYawX = 30, kYawY = 31;                          
 geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate) {
   geometry_msgs::PoseWithCovariance message;
   message.pose = to_message(estimate.pose);
-  message.covariance[kX] = estimate.position_covariance_overall(0, 0);
-  message.covariance[kXY] = message.covariance[kYX] = estimate.position_covariance_overall(0, 1);
-  message.covariance[kY] = estimate.position_covariance_overall(1, 1);
-  message.covariance[kXYaw] = message.covariance[kYawX] = estimate.covariance(0, 2);
-  message.covariance[kYYaw] = message.covariance[kYawY] = estimate.covariance(1, 2);
-  message.covariance[kYaw] = estimate.covariance(2, 2);
+  const Eigen::Matrix3d covariance = covariance_overall(estimate);
+  message.covariance[kX] = covariance(0, 0);
+  message.covariance[kXY] = message.covariance[kYX] = covariance(0, 1);
+  message.covariance[kY] = covariance(1, 1);
+  message.covariance[kXYaw] = message.covariance[kYawX] = covariance(0, 2);
+  message.covariance[kYYaw] = message.covariance[kYawY] = covariance(1, 2);
+  message.covariance[kYaw] = covariance(2, 2);
   return message;
 }
 

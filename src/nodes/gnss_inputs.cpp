@@ -14,9 +14,10 @@ ros::TransportHints at_once() { return ros::TransportHints().tcpNoDelay(); }
 
 }  // namespace
 
-GnssInputs::GnssInputs(ros::NodeHandle node, double pair_tolerance, const UsedKinds& used, Take take,
-                       GiveUp give_up)
-    : pairing_(pair_tolerance),
+GnssInputs::GnssInputs(ros::NodeHandle node, const GnssParameters& parameters, const UsedKinds& used,
+                       Take take, GiveUp give_up)
+    : delay_(parameters.delay),
+      pairing_(parameters.pair_tolerance),
       take_(std::move(take)),
       give_up_(std::move(give_up)),
       monitors_{
@@ -32,7 +33,7 @@ GnssInputs::GnssInputs(ros::NodeHandle node, double pair_tolerance, const UsedKi
 
 void GnssInputs::on_fix(const sensor_msgs::NavSatFix::ConstPtr& message) {
   of(kFixKind).arrived();
-  take_(*message);
+  take_(stamped_earlier(*message, delay_));
 }
 
 void GnssInputs::on_left(const sensor_msgs::NavSatFix::ConstPtr& message) {
@@ -45,12 +46,12 @@ void GnssInputs::on_right(const sensor_msgs::NavSatFix::ConstPtr& message) {
 
 void GnssInputs::on_epoch(const GnssEpoch::ConstPtr& message) {
   of(kEpochKind).arrived();
-  take_(*message);
+  take_(stamped_earlier(*message, delay_));
 }
 
 void GnssInputs::add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix) {
   of(kDualKind).arrived();
-  const FixPairing::Outcome outcome = pairing_.add(side, fix);
+  const FixPairing::Outcome outcome = pairing_.add(side, stamped_earlier(fix, delay_));
   for (const sensor_msgs::NavSatFix& unpaired : outcome.unpaired) give_up_(unpaired);
   if (outcome.pair) take_(*outcome.pair);
 }

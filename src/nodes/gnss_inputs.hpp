@@ -20,7 +20,8 @@ class GnssInputs {
   using GiveUp = std::function<void(const sensor_msgs::NavSatFix&)>;
 
   /// `used`: the kinds that are awaited.
-  GnssInputs(ros::NodeHandle node, double pair_tolerance, const UsedKinds& used, Take take, GiveUp give_up);
+  GnssInputs(ros::NodeHandle node, const GnssParameters& parameters, const UsedKinds& used, Take take,
+             GiveUp give_up);
 
   /// Gives up what waits for its other half.
   void clear();
@@ -40,6 +41,7 @@ class GnssInputs {
   void on_epoch(const GnssEpoch::ConstPtr& message);
   void add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix);
 
+  double delay_;
   FixPairing pairing_;
   Take take_;
   GiveUp give_up_;

@@ -69,6 +69,8 @@ void GnssParameters::fields(ParameterVisitor& field) {
       "refuse fixes whose frame tf does not know, instead of taking the antenna to be where `antenna` says");
   field("pair_tolerance", pair_tolerance, {0.0, 1.0}, "s",
         "fixes of the left and the right antenna whose stamps differ by more are of two instants");
+  field("delay", delay, {-2.0, 2.0}, "s",
+        "fixes and epochs are of this long before their stamps; tune_from_bag tells");
   field.group("fix", fix, "how fixes are read");
   field.group("epoch", epoch, "how epochs of pseudoranges are read");
 }

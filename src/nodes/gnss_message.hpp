@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,12 +30,23 @@ struct GnssParameters {
   std::vector<double> antenna;
   bool require_antenna_transform = false;
   double pair_tolerance = 0.05;
+  double delay = 0.0;
   FixParameters fix;
   EpochParameters epoch;
 
   /// Throws ParameterError on an antenna that is neither empty nor two numbers.
   void fields(ParameterVisitor& field);
 };
+
+/// A message as if it was stamped `delay` earlier [s]; a stamp of zero stays, and no other becomes zero.
+template <class Stamped>
+Stamped stamped_earlier(Stamped message, double delay) {
+  if (message.header.stamp.isZero()) return message;
+  const double stamp = message.header.stamp.toSec() - delay;
+  const bool there_is = stamp > 0.0 && stamp < std::numeric_limits<std::uint32_t>::max();
+  message.header.stamp = there_is ? message.header.stamp - ros::Duration(delay) : ros::Time(0, 1);
+  return message;
+}
 
 /// A measurement, or the reason why there is none.
 struct CheckedMeasurement {

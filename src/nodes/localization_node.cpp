@@ -33,7 +33,7 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
       outputs_(node, private_node, parameters_),
       used_(settings.used_kinds()),
       gnss_(
-          node, parameters_.gnss.pair_tolerance, used_, [this](const GnssMessage& m) { on_gnss(m); },
+          node, parameters_.gnss, used_, [this](const GnssMessage& m) { on_gnss(m); },
           [this](const sensor_msgs::NavSatFix& fix) { on_unpaired(fix); }),
       odometry_input_(
           "odom", {node.subscribe("odom", kQueue, &LocalizationNode::on_odometry, this, at_once())}, true),

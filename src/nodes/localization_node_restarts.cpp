@@ -99,11 +99,10 @@ void LocalizationNode::save_pose(const PoseEstimate& estimate) {
   const ros::Time stamp = odometry_stamp();
   if (parameters_.pose_file.empty() || std::abs((stamp - pose_saved_).toSec()) < kSaveEvery) return;
   pose_saved_ = stamp;
-  Eigen::Matrix3d covariance = estimate.covariance;
-  covariance.topLeftCorner<2, 2>() = estimate.position_covariance_overall;
   try {
-    write_saved_pose(parameters_.pose_file, {datum_.map()->datum(), stamp.toSec(), estimate.pose, covariance,
-                                             odometry_->base_in_odom, estimate.aligned});
+    write_saved_pose(parameters_.pose_file,
+                     {datum_.map()->datum(), stamp.toSec(), estimate.pose, covariance_overall(estimate),
+                      odometry_->base_in_odom, estimate.aligned});
   } catch (const std::runtime_error& error) {
     ROS_ERROR_THROTTLE(kTellSaving, "the pose is not saved: %s", error.what());
   }

@@ -1,18 +1,13 @@
-#include <XmlRpcClient.h>
 #include <nav_msgs/Odometry.h>
-#include <ros/network.h>
 #include <ros/ros.h>
 #include <sensor_msgs/NavSatFix.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 #include "multipath_localization/core/geodesy.hpp"
@@ -20,6 +15,7 @@
 #include "multipath_localization/core/random.hpp"
 #include "nodes/conversions.hpp"
 #include "nodes/parameter_server.hpp"
+#include "tools/live/node_process.hpp"
 
 /// Measures how long after an odometry message the pose arrives that localization_node answers it with, and
 /// what share of a core the node takes. Times run from before `publish` in this program to the callback in
@@ -45,37 +41,6 @@ struct LatencyParameters {
     field("node", node, {}, "the localization_node to measure");
   }
 };
-
-/// Process id of a node, by its own answer. Throws std::runtime_error when there is none.
-int process_id(const std::string& node) {
-  XmlRpc::XmlRpcValue request;
-  XmlRpc::XmlRpcValue response;
-  XmlRpc::XmlRpcValue uri;
-  request[0] = ros::this_node::getName();
-  request[1] = node;
-  std::string host;
-  std::uint32_t port = 0;
-  if (ros::master::execute("lookupNode", request, response, uri, false) &&
-      ros::network::splitURI(static_cast<std::string>(uri), host, port)) {
-    XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-    if (client.execute("getPid", request[0], response)) return static_cast<int>(response[2]);
-  }
-  throw std::runtime_error("no node " + node);
-}
-
-/// User and system time a process has taken [s]: fields 14 and 15 of /proc/PID/stat.
-double cpu_time(int pid) {
-  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
-  std::string text;
-  std::getline(file, text);
-  std::istringstream fields(text.substr(text.rfind(')') + 1));
-  std::string skipped;
-  for (int field = 3; field < 14; ++field) fields >> skipped;
-  double user = 0.0;
-  double system = 0.0;
-  fields >> user >> system;
-  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
 
 /// A robot on a circle, under open sky.
 class Stream {
@@ -161,7 +126,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 double drive(const LatencyParameters& parameters, const ros::Publisher& odometry, const ros::Publisher& fixes,
              Stopwatch& stopwatch) {
   Stream stream;
-  const int pid = process_id(parameters.node);
+  const NodeProcess process(parameters.node);
   const double interval = 1.0 / parameters.odometry_rate;
   const auto warm_up = static_cast<std::uint32_t>(parameters.warm_up / interval);
   const auto steps = warm_up + static_cast<std::uint32_t>(parameters.duration / interval);
@@ -172,7 +137,7 @@ double drive(const LatencyParameters& parameters, const ros::Publisher& odometry
     std::this_thread::sleep_until(begin + std::chrono::duration<double>(step * interval));
     if (step == warm_up) {
       stopwatch.restart();
-      cpu_before = cpu_time(pid);
+      cpu_before = process.cpu_time();
     }
     const ros::Time stamp = start + ros::Duration(step * interval);
     const nav_msgs::Odometry message = stream.odometry(stamp, interval);
@@ -182,7 +147,7 @@ double drive(const LatencyParameters& parameters, const ros::Publisher& odometry
     odometry.publish(message);
   }
   ros::WallDuration(0.2).sleep();
-  return (cpu_time(pid) - cpu_before) / parameters.duration;
+  return (process.cpu_time() - cpu_before) / parameters.duration;
 }
 
 int measure(const LatencyParameters& parameters) {

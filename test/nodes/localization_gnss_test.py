@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Pairs of fixes and raw epochs reach the estimators that use them; others say so, and bad ones are told why."""
+import copy
 import math
 import re
 import unittest
@@ -31,12 +32,30 @@ class LocalizationGnss(unittest.TestCase):
                           rospy.Subscriber('/rosout_agg', Log, self.log.append)]
 
     def tearDown(self):
-        for space in ('', 'dual/', 'raw/'):
+        for space in ('', 'dual/', 'raw/', 'late/'):
             rospy.ServiceProxy(space + 'localization/reset', Empty)()
 
     def on_diagnostics(self, message):
         for entry in message.status:
             self.diagnostics[entry.name] = entry
+
+    def test_takes_the_delay_of_a_receiver_off(self):
+        session, robot = Session('late/'), Robot(seed=4, noise=0.05, yaw_rate=0.0)
+        session.drive(robot, 1.0, fix_every=0, answered=False)
+        reports = []
+        for _ in range(40):
+            earlier = copy.copy(robot)
+            for _ in range(6):
+                robot.step()
+                session.send_odometry(robot.odometry(), answered=bool(reports))
+            late = earlier.fix()
+            late.header.stamp = robot.odometry().header.stamp
+            reports.append(session.send_fix(late))
+            self.assertAlmostEqual(reports[-1].header.stamp.to_sec(), earlier.stamp, places=3)
+        self.assertEqual({report.reason for report in reports}, {'accepted'})
+        robot.step()
+        pose = session.send_odometry(robot.odometry())
+        self.assertLess(robot.error_of(pose.pose.pose), 0.3, 'metres; it drives 0.6 m in the delay')
 
     def test_what_an_estimator_has_no_use_for(self):
         session, robot = Session(), Robot(seed=1)

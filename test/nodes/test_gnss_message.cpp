@@ -68,6 +68,19 @@ TEST(ToMeasurement, NeedsToKnowBothOfTwoAntennas) {
   EXPECT_EQ(read(with_frame(good_pair(), "nowhere")).reason, Reason::kInvalidFrame);
 }
 
+TEST(StampedEarlier, TakesTheDelayOffButMakesNoStampZero) {
+  sensor_msgs::NavSatFix fix = good_fix();
+  fix.header.stamp = ros::Time(10, 500000000);
+  EXPECT_NEAR(stamped_earlier(fix, 0.3).header.stamp.toSec(), 10.2, 1e-9);
+  EXPECT_NEAR(stamped_earlier(fix, -0.3).header.stamp.toSec(), 10.8, 1e-9);
+  EXPECT_EQ(stamped_earlier(fix, 0.0).header.stamp, fix.header.stamp);
+  EXPECT_EQ(stamped_earlier(fix, 11.0).header.stamp, ros::Time(0, 1));
+  fix.header.stamp = ros::Time();
+  EXPECT_EQ(stamped_earlier(fix, 0.3).header.stamp, ros::Time());
+  fix.header.stamp = ros::Time(4294967295, 0);
+  EXPECT_NO_THROW(stamped_earlier(fix, -2.0));
+}
+
 TEST(Check, FindsDefectsOfEachKind) {
   EXPECT_EQ(check(GnssMessage(good_pair()), GnssParameters{}), Reason::kAccepted);
   FixPair pair = good_pair();

@@ -10,6 +10,11 @@ namespace multipath_localization {
 namespace {
 
 /// What the localization node makes of the YAML; throws where it is not for it.
+GnssParameters gnss_parameters(const std::string& yaml) {
+  return LocalizationSettings::from(YAML::Load(yaml)).parameters.gnss;
+}
+
+/// The same of the default filter.
 YAML::Node filter_parameters(const std::string& yaml) {
   const LocalizationSettings settings = LocalizationSettings::from(YAML::Load(yaml));
   make_estimator(estimator_names().front(), settings.estimator_parameters, 1);
@@ -35,6 +40,17 @@ TEST(Tuning, PicksTheOpenSkyOfAStreet) {
   EXPECT_LT(tuning.fit.delay.low, 0.0);  // fixes are late, their stamps are right
   EXPECT_GT(tuning.fit.delay.high, 0.0);
   EXPECT_NO_THROW(filter_parameters(to_yaml(tuning)));
+}
+
+TEST(Tuning, WritesADelayThatIsOne) {
+  Tuning tuning;
+  tuning.open_sky = true;
+  tuning.fit.white = {0.05, 0.048, 0.052, true, true};
+  tuning.fit.delay = {0.3, 0.25, 0.35, true, true};
+  EXPECT_EQ(gnss_parameters(to_yaml(tuning)).delay, 0.3);
+  tuning.fit.delay = {0.03, -0.05, 0.11, true, true};
+  EXPECT_EQ(gnss_parameters(to_yaml(tuning)).delay, 0.0);
+  EXPECT_NE(to_yaml(tuning).find("which may be none"), std::string::npos);
 }
 
 TEST(Tuning, WritesWhatIsToldAndKeepsTheDefaultElsewhere) {

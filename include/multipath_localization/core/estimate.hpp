@@ -78,6 +78,11 @@ struct PoseEstimate {
   double effective_sample_size = 1.0;
 };
 
+/// Covariance of x, y, yaw [m, rad] that goes with `pose` where clusters are not told apart: in position as
+/// wide as all clusters in every direction, in heading and its correlations that of the dominant one.
+/// Positive semidefinite as `covariance` is, which the two put together would not always be.
+Eigen::Matrix3d covariance_overall(const PoseEstimate& estimate);
+
 /// Which kind of hypothesis a particle is, for colouring.
 enum class Mode { kOpen, kShadow, kCanyon };
 

@@ -75,13 +75,13 @@ std::string class_lines(const Tuning& tuning) {
 
 std::string delay_line(const Told& delay) {
   if (!delay.low_told) return "# delay: not told by this bag; drive faster and with stops\n";
-  const std::string what =
-      text("# delay: fixes are of %.3f s before their stamps on the odometry's clock (%.3f..%.3f)",
-           delay.value, delay.low, delay.high);
-  if (delay.low <= 0.0 && delay.high >= 0.0) return what + ", which may be none\n";
-  return what +
-         "\n#   take it off the stamp in the receiver's driver; an antenna that is further back than told "
-         "looks the same\n";
+  const bool may_be_none = delay.low <= 0.0 && delay.high >= 0.0;
+  return (may_be_none ? "# " : "") +
+         text(
+             "delay: %.3f  # [s] (%.3f..%.3f) fixes are of so long before their stamps on odometry's "
+             "clock%s\n",
+             delay.value, delay.low, delay.high,
+             may_be_none ? ", which may be none" : "; an antenna further back than told looks the same");
 }
 
 }  // namespace
