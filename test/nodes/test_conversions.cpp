@@ -198,6 +198,9 @@ TEST(ToPrior, TakesXYYawOutOfSixBySix) {
   bare.pose.covariance.assign(0.0);
   ASSERT_TRUE(to_prior(bare));
   EXPECT_EQ(to_prior(bare)->covariance(0, 0), 0.25) << "the default";
+  message.pose.covariance[0] = 1e308;
+  EXPECT_FALSE(to_prior(message)) << "squares of it are infinite";
+  message.pose.covariance[0] = 0.25;
   message.pose.covariance[35] = 0.0;
   EXPECT_FALSE(to_prior(message)) << "nobody knows a heading that well";
   message.pose.covariance[35] = kNan;
