@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "multipath_localization/core/parameters.hpp"
+
 namespace multipath_localization {
 
 YAML::Node laid_over(const YAML::Node& base, const YAML::Node& upper) {
@@ -14,7 +16,7 @@ YAML::Node laid_over(const YAML::Node& base, const YAML::Node& upper) {
     auto [below, above] = to_do.back();
     to_do.pop_back();
     for (const auto& entry : above) {
-      const auto key = entry.first.as<std::string>();
+      const std::string& key = text_of_key(entry.first, "a map that is laid over another");
       if (entry.second.IsMap() && below[key].IsMap()) {
         to_do.emplace_back(below[key], entry.second);
       } else {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/evaluation/layered_maps.hpp"
 
 namespace multipath_localization {
@@ -31,6 +32,10 @@ TEST(LaidOver, CountsWhatIsNoMapAsEmpty) {
   EXPECT_TRUE(laid_over(YAML::Node(), YAML::Node()).IsMap());
   EXPECT_EQ(laid_over(YAML::Node(), YAML::Load("{a: 1}"))["a"].as<int>(), 1);
   EXPECT_EQ(laid_over(YAML::Load("{a: 1}"), YAML::Node())["a"].as<int>(), 1);
+}
+
+TEST(LaidOver, RefusesAKeyThatIsNotAText) {
+  EXPECT_THROW(laid_over(YAML::Node(), YAML::Load("{[1, 2]: 3}")), ParameterError);
 }
 
 }  // namespace
