@@ -65,8 +65,10 @@ RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, const Local
   GnssFix fix;
   fix.stamp = stamp_in_order(table, row);
   fix.position = map.to_map(point(table, row));
+  const double east = table.number(row, "cov_ee_m2");
   const double cross = table.number(row, "cov_en_m2");
-  fix.covariance << table.number(row, "cov_ee_m2"), cross, cross, table.number(row, "cov_nn_m2");
+  const double north = table.number(row, "cov_nn_m2");
+  fix.covariance << east, cross, cross, north;
   return {fix, table.has("t_arrival") ? table.number(row, "t_arrival", kLatestTime) : fix.stamp};
 }
 

@@ -29,8 +29,9 @@ std::string answer(const SetDatum::Request& request, Geodetic& place) {
 std::string answer(const ToLL::Request& request, const LocalFrame* map, ToLL::Response& response) {
   const Eigen::Vector3d point(request.map_point.x, request.map_point.y, request.map_point.z);
   if (map == nullptr) return kNoDatum;
-  if (!(point.lpNorm<Eigen::Infinity>() <= kFurthestPoint))
+  if (!point.allFinite() || point.lpNorm<Eigen::Infinity>() > kFurthestPoint) {
     return "the point is not finite or beyond 10 000 km";
+  }
   const Geodetic place = map->to_geodetic(point.head<2>(), point.z());
   response.ll_point.latitude = place.latitude_deg;
   response.ll_point.longitude = place.longitude_deg;

@@ -1,4 +1,5 @@
 #include <multipath_localization/SetPose.h>
+#include <ros/console.h>
 
 #include "byte_stream.hpp"
 #include "multipath_localization/estimators/localizer.hpp"
@@ -86,6 +87,11 @@ class Services {
 
 }  // namespace
 
-void services(const std::string& bytes) { unless_cut(Services(bytes)); }
+void services(const std::string& bytes) {
+  static const bool silent =
+      ros::console::set_logger_level(ROSCONSOLE_DEFAULT_NAME, ros::console::levels::Fatal);
+  static_cast<void>(silent);
+  unless_cut(Services(bytes));
+}
 
 }  // namespace multipath_localization::fuzz
