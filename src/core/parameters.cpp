@@ -6,6 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include "multipath_localization/core/plain_yaml.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -241,8 +243,8 @@ class Describer : public ParameterVisitor {
 
 YAML::Node read_yaml(const std::string& file) {
   try {
-    return YAML::LoadFile(file);
-  } catch (const YAML::Exception& error) {
+    return plain(YAML::LoadFile(file));
+  } catch (const std::exception& error) {
     throw ParameterError(file + ": " + error.what());
   }
 }

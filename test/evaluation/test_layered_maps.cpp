@@ -34,6 +34,16 @@ TEST(LaidOver, CountsWhatIsNoMapAsEmpty) {
   EXPECT_EQ(laid_over(YAML::Load("{a: 1}"), YAML::Node())["a"].as<int>(), 1);
 }
 
+TEST(LaidOver, ChangesOneOfTwoMapsThatAnAliasMakesOne) {
+  const YAML::Node all = laid_over(YAML::Load("{a: &a {b: 1}, c: *a}"), YAML::Load("{a: {b: 2}}"));
+  EXPECT_EQ(all["a"]["b"].as<int>(), 2);
+  EXPECT_EQ(all["c"]["b"].as<int>(), 1);
+}
+
+TEST(LaidOver, RefusesMapsThatHoldThemselves) {
+  EXPECT_THROW(laid_over(YAML::Load("&a {x: *a}"), YAML::Load("&a {x: *a}")), ParameterError);
+}
+
 TEST(LaidOver, RefusesAKeyThatIsNotAText) {
   EXPECT_THROW(laid_over(YAML::Node(), YAML::Load("{[1, 2]: 3}")), ParameterError);
 }
