@@ -91,7 +91,7 @@ CheckedFix to_fix(const sensor_msgs::NavSatFix& message, const LocalFrame& map,
   checked.fix.covariance =
       declares_none(message)
           ? Eigen::Matrix2d(Eigen::Matrix2d::Identity() * std::pow(parameters.default_sigma, 2))
-          : horizontal(message);
+          : Eigen::Matrix2d(0.5 * (horizontal(message) + horizontal(message).transpose()));
   if (!(checked.fix.position.norm() <= parameters.reach)) checked.reason = Reason::kInvalidPosition;
   return checked;
 }

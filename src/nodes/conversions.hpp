@@ -53,6 +53,7 @@ struct CheckedFix {
 /// | east or north variance zero                        | `default_sigma` east and north            |
 /// | any horizontal entry NaN or infinite               | refused: invalid covariance               |
 /// | variance negative, or not positive semi-definite   | refused: invalid covariance               |
+/// | not symmetric by rounding, 1e-6 of the largest     | accepted: the mean of the two             |
 /// | variance above `largest_sigma`^2 (1e308 too)       | refused: invalid covariance               |
 /// | type not one of NavSatFix's four                   | refused: invalid covariance               |
 /// | type APPROXIMATED or DIAGONAL_KNOWN                | off-diagonal entries are not looked at    |

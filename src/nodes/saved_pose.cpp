@@ -85,6 +85,7 @@ SavedPose parsed(const YAML::Node& content) {
     if (!usable(prior_at(base, saved)))
       throw ParameterError("nobody can start from such a pose or covariance");
   }
+  saved.covariance = (0.5 * (saved.covariance + saved.covariance.transpose())).eval();  // rounding
   return saved;
 }
 

@@ -36,7 +36,7 @@ template <int N>
 void require_covariance(const Eigen::Matrix<double, N, N>& covariance, const std::string& what) {
   require(covariance.allFinite(), what + " is not finite");
   const double rounding = 1e-5 * covariance.diagonal().cwiseAbs().maxCoeff();
-  require(covariance.isApprox(covariance.transpose(), 1e-6), what + " is not symmetric");
+  require(covariance.isApprox(covariance.transpose()), what + " is not symmetric");
   for (int i = 0; i < N; ++i) {
     for (int j = 0; j < N; ++j) {
       const double twice = 2.0 * std::abs(covariance(i, j));
