@@ -1,5 +1,6 @@
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -17,8 +18,8 @@ extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** argv) {
   const std::string name = path.substr(path.find_last_of('/') + 1);
   const auto found = multipath_localization::fuzz::targets().find(name);
   if (found == multipath_localization::fuzz::targets().end()) {
-    std::cerr << "there is no target " << name << "\n";
-    return 1;
+    std::cerr << "ERROR: there is no target " << name << "\n";
+    std::exit(1);
   }
   target = found->second;
   return 0;
