@@ -11,7 +11,9 @@ namespace multipath_localization {
 namespace {
 
 Geodetic checked(Geodetic datum) {
-  if (!valid(datum)) throw std::invalid_argument("datum is not a latitude and longitude in degrees");
+  if (!valid(datum))
+    throw std::invalid_argument(
+        "datum is not a latitude and longitude in degrees and an altitude within 100 km");
   if (!std::isfinite(datum.altitude)) datum.altitude = 0.0;
   return datum;
 }
@@ -32,7 +34,8 @@ Geodetic to_geodetic(const Eigen::Vector3d& ecef) {
 }
 
 bool valid(const Geodetic& point) {
-  return std::abs(point.latitude_deg) <= 90.0 && std::abs(point.longitude_deg) <= 180.0;
+  return std::abs(point.latitude_deg) <= 90.0 && std::abs(point.longitude_deg) <= 180.0 &&
+         !(std::abs(point.altitude) > kHighestAltitude);
 }
 
 LocalFrame::LocalFrame(const Geodetic& datum)

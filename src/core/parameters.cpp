@@ -6,6 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include "multipath_localization/core/plain_yaml.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -97,8 +99,7 @@ class Loader : public ParameterVisitor {
     if (!source_ || source_.IsNull()) return;
     std::set<std::string> given;
     for (const auto& entry : source_) {
-      if (!entry.first.IsScalar()) throw ParameterError(name("") + " has a key that is not a text");
-      const std::string& key = entry.first.Scalar();
+      const std::string& key = text_of_key(entry.first, name(""));
       if (known_.count(key) == 0) throw ParameterError("unknown parameter " + name(key) + nearest(key));
       if (!given.insert(key).second) throw ParameterError(name(key) + " is given twice");
     }
@@ -242,10 +243,15 @@ class Describer : public ParameterVisitor {
 
 YAML::Node read_yaml(const std::string& file) {
   try {
-    return YAML::LoadFile(file);
-  } catch (const YAML::Exception& error) {
+    return plain(YAML::LoadFile(file));
+  } catch (const std::exception& error) {
     throw ParameterError(file + ": " + error.what());
   }
+}
+
+const std::string& text_of_key(const YAML::Node& key, const std::string& map) {
+  if (!key.IsScalar()) throw ParameterError(map + " has a key that is not a text");
+  return key.Scalar();
 }
 
 void load_fields(const YAML::Node& source, const std::function<void(ParameterVisitor&)>& fields,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 namespace multipath_localization {
 
@@ -54,14 +55,17 @@ const std::string& CsvTable::text(std::size_t row, const std::string& column) co
   return cells_[row][found->second];
 }
 
-double CsvTable::number(std::size_t row, const std::string& column) const {
+double CsvTable::number(std::size_t row, const std::string& column, double largest) const {
   const std::string& cell = text(row, column);
   char* end = nullptr;
   const double value = std::strtod(cell.c_str(), &end);
-  if (cell.empty() || *end != '\0' || !std::isfinite(value)) {
+  if (cell.empty() || end != cell.data() + cell.size() || !std::isfinite(value)) {
     throw error(row, column + " is '" + cell + "', not a finite number");
   }
-  return value;
+  if (std::abs(value) <= largest) return value;
+  std::ostringstream reason;
+  reason << column << " is '" << cell << "', beyond " << largest;
+  throw error(row, reason.str());
 }
 
 DriveError CsvTable::error(std::size_t row, const std::string& reason) const {

@@ -12,11 +12,13 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kFirstInterval = 1e-3;
+constexpr double kFastest = 1e3;     ///< that wheels say [m/s], [rad/s]
+constexpr double kMostTurned = 1e6;  ///< that a yaw says [rad]
 const std::vector<std::string> kFixColumns = {"t",         "lat_deg",   "lon_deg",
                                               "cov_ee_m2", "cov_en_m2", "cov_nn_m2"};
 
 double stamp_in_order(const CsvTable& table, std::size_t row) {
-  const double stamp = table.number(row, "t");
+  const double stamp = table.number(row, "t", kLatestTime);
   if (row > 0 && stamp <= table.number(row - 1, "t")) throw table.error(row, "t does not increase");
   return stamp;
 }
@@ -24,7 +26,7 @@ double stamp_in_order(const CsvTable& table, std::size_t row) {
 Geodetic point(const CsvTable& table, std::size_t row) {
   const Geodetic point{table.number(row, "lat_deg"), table.number(row, "lon_deg"),
                        table.has("alt_m") ? table.number(row, "alt_m") : 0.0};
-  if (!valid(point)) throw table.error(row, "latitude or longitude out of range");
+  if (!valid(point)) throw table.error(row, "latitude, longitude or altitude out of range");
   return point;
 }
 
@@ -33,7 +35,8 @@ std::vector<OdometryIncrement> read_odometry(const std::string& file) {
   if (table.rows() < 2) throw DriveError(file + ": fewer than two rows");
   std::vector<TwistSample> samples;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    samples.push_back({stamp_in_order(table, i), table.number(i, "vx"), table.number(i, "wz")});
+    samples.push_back(
+        {stamp_in_order(table, i), table.number(i, "vx", kFastest), table.number(i, "wz", kFastest)});
   }
   return increments(samples);
 }
@@ -62,9 +65,11 @@ RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, const Local
   GnssFix fix;
   fix.stamp = stamp_in_order(table, row);
   fix.position = map.to_map(point(table, row));
+  const double east = table.number(row, "cov_ee_m2");
   const double cross = table.number(row, "cov_en_m2");
-  fix.covariance << table.number(row, "cov_ee_m2"), cross, cross, table.number(row, "cov_nn_m2");
-  return {fix, table.has("t_arrival") ? table.number(row, "t_arrival") : fix.stamp};
+  const double north = table.number(row, "cov_nn_m2");
+  fix.covariance << east, cross, cross, north;
+  return {fix, table.has("t_arrival") ? table.number(row, "t_arrival", kLatestTime) : fix.stamp};
 }
 
 TruthSample read_truth_sample(const CsvTable& table, std::size_t row, const LocalFrame& map) {
@@ -72,7 +77,8 @@ TruthSample read_truth_sample(const CsvTable& table, std::size_t row, const Loca
   sample.stamp = stamp_in_order(table, row);
   const Eigen::Vector2d position = map.to_map(point(table, row));
   sample.has_yaw = table.has("yaw");
-  sample.base_in_map = {position.x(), position.y(), sample.has_yaw ? table.number(row, "yaw") : 0.0};
+  sample.base_in_map = {position.x(), position.y(),
+                        sample.has_yaw ? table.number(row, "yaw", kMostTurned) : 0.0};
   if (table.has("shadow")) sample.shadow = table.number(row, "shadow") != 0.0;
   return sample;
 }

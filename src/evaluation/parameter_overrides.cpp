@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/plain_yaml.hpp"
 #include "multipath_localization/evaluation/layered_maps.hpp"
 
 namespace multipath_localization {
@@ -23,7 +24,7 @@ std::vector<std::string> split_path(const std::string& key) {
 
 YAML::Node parse_value(const std::string& text) {
   try {
-    return YAML::Load(text);
+    return plain(YAML::Load(text));
   } catch (const YAML::Exception& error) {
     throw ParameterError("'" + text + "' is not YAML: " + error.what());
   }

@@ -1,5 +1,7 @@
 #include "multipath_localization/evaluation/pseudorange_file.hpp"
 
+#include <cmath>
+
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/models/pseudorange.hpp"
 
@@ -8,9 +10,27 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
+constexpr double kLargestNumber = 65535.0;                 ///< of a satellite
+constexpr double kLowestOrbit = 1e7, kHighestOrbit = 1e8;  ///< from the Earth's centre [m]
+constexpr double kFastest = 1e5;                           ///< clock drift included [m/s]
+constexpr double kFurthestRange = 1e10;                    ///< clock of the receiver included [m]
 
-Eigen::Vector3d vector(const CsvTable& table, std::size_t row, const char* x, const char* y, const char* z) {
-  return {table.number(row, x), table.number(row, y), table.number(row, z)};
+int number_of_satellite(const CsvTable& table, std::size_t row) {
+  const double number = table.number(row, "sat_id", kLargestNumber);
+  if (number < 0.0 || number != std::floor(number)) throw table.error(row, "sat_id is not a whole number");
+  return static_cast<int>(number);
+}
+
+Eigen::Vector3d position_of_satellite(const CsvTable& table, std::size_t row) {
+  const auto coordinate = [&](const char* name) { return table.number(row, name, kHighestOrbit); };
+  const Eigen::Vector3d ecef(coordinate("sat_x"), coordinate("sat_y"), coordinate("sat_z"));
+  if (ecef.norm() >= kLowestOrbit && ecef.norm() <= kHighestOrbit) return ecef;
+  throw table.error(row, "no satellite's orbit is at sat_x, sat_y, sat_z");
+}
+
+Eigen::Vector3d velocity_of_satellite(const CsvTable& table, std::size_t row) {
+  const auto component = [&](const char* name) { return table.number(row, name, kFastest); };
+  return {component("sat_vx"), component("sat_vy"), component("sat_vz")};
 }
 
 }  // namespace
@@ -19,7 +39,7 @@ PseudorangeFile::PseudorangeFile(const std::string& file)
     : table_(file, {"t", "sat_id", "system", "elevation_deg", "cn0_dbhz", "sat_x", "sat_y", "sat_z",
                     "pseudorange_m", "std_m"}) {
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    const double step = row == 0 ? 1.0 : table_.number(row, "t") - table_.number(row - 1, "t");
+    const double step = row == 0 ? 1.0 : table_.number(row, "t", kLatestTime) - table_.number(row - 1, "t");
     if (step < 0.0) throw table_.error(row, "t decreases");
     if (step > 0.0) begins_.push_back(row);
   }
@@ -31,18 +51,17 @@ SatelliteObservation PseudorangeFile::observation(std::size_t row, const LocalFr
   const auto constellation = constellation_of(table_.text(row, "system"));
   if (!constellation) throw table_.error(row, "unknown system '" + table_.text(row, "system") + "'");
   observation.constellation = *constellation;
-  observation.satellite = static_cast<int>(table_.number(row, "sat_id"));
-  observation.pseudorange = table_.number(row, "pseudorange_m");
+  observation.satellite = number_of_satellite(table_, row);
+  observation.pseudorange = table_.number(row, "pseudorange_m", kFurthestRange);
   if (!table_.text(row, "cn0_dbhz").empty()) observation.cn0 = table_.number(row, "cn0_dbhz");
-  observation.elevation = table_.number(row, "elevation_deg") * kDegree;
+  observation.elevation = table_.number(row, "elevation_deg", 90.0) * kDegree;
   observation.sigma = table_.number(row, "std_m");
   if (!(observation.sigma > 0.0)) throw table_.error(row, "std_m is not above 0");
-  const Eigen::Vector3d ecef = vector(table_, row, "sat_x", "sat_y", "sat_z");
+  const Eigen::Vector3d ecef = position_of_satellite(table_, row);
   observation.position = map.satellite_to_map(ecef);
   if (table_.has("range_rate_mps") && !table_.text(row, "range_rate_mps").empty()) {
-    observation.range_rate = table_.number(row, "range_rate_mps");
-    observation.velocity =
-        map.satellite_velocity_to_map(ecef, vector(table_, row, "sat_vx", "sat_vy", "sat_vz"));
+    observation.range_rate = table_.number(row, "range_rate_mps", kFastest);
+    observation.velocity = map.satellite_velocity_to_map(ecef, velocity_of_satellite(table_, row));
   }
   return observation;
 }
@@ -51,7 +70,7 @@ RecordedMeasurement PseudorangeFile::epoch(std::size_t first, std::size_t end, c
   PseudorangeEpoch epoch;
   epoch.stamp = table_.number(first, "t");
   for (std::size_t row = first; row < end; ++row) epoch.observations.push_back(observation(row, map));
-  return {epoch, table_.has("t_arrival") ? table_.number(first, "t_arrival") : epoch.stamp};
+  return {epoch, table_.has("t_arrival") ? table_.number(first, "t_arrival", kLatestTime) : epoch.stamp};
 }
 
 std::vector<RecordedMeasurement> PseudorangeFile::epochs(const LocalFrame& map) const {

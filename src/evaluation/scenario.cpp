@@ -31,7 +31,7 @@ bool is_truth(const YAML::Node& source) {
 void refuse_unknown(const YAML::Node& source, const std::string& origin) {
   if (!source.IsMap()) throw ParameterError(origin + " is not a map");
   for (const auto& entry : source) {
-    const auto key = entry.first.as<std::string>();
+    const std::string& key = text_of_key(entry.first, origin);
     if (kKeys.count(key) == 0) throw ParameterError("unknown key " + key + " in " + origin);
   }
 }

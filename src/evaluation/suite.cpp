@@ -12,7 +12,7 @@ namespace {
 void refuse_what_is_no_suite(const YAML::Node& source, const std::string& file) {
   if (!source.IsMap()) throw ParameterError(file + " is not a map");
   for (const auto& entry : source) {
-    const auto key = entry.first.as<std::string>();
+    const std::string& key = text_of_key(entry.first, file);
     if (key != "base" && key != "rows") throw ParameterError("unknown key " + key + " in " + file);
   }
   if (!source["rows"] || !source["rows"].IsMap() || source["rows"].size() == 0) {
@@ -28,7 +28,7 @@ std::vector<Scenario> load_suite(const std::string& file) {
   std::vector<Scenario> rows;
   std::set<std::string> names;
   for (const auto& row : source["rows"]) {
-    const auto name = row.first.as<std::string>();
+    const std::string& name = text_of_key(row.first, "rows of " + file);
     const std::string origin = "rows/" + name + " of " + file;
     if (!names.insert(name).second) throw ParameterError(origin + " is there twice");
     if (!row.second.IsMap() && !row.second.IsNull()) throw ParameterError(origin + " is not a map");

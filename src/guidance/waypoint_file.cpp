@@ -72,7 +72,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 double number(const std::string& cell, const Place& place) {
   char* end = nullptr;
   const double value = std::strtod(cell.c_str(), &end);
-  if (cell.empty() || *end != '\0') throw place.error("'" + cell + "' is not a number");
+  if (cell.empty() || end != cell.data() + cell.size()) throw place.error("'" + cell + "' is not a number");
   return value;
 }
 

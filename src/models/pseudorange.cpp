@@ -158,6 +158,7 @@ std::optional<Geodetic> solve_geodetic(const std::vector<SatelliteObservation>& 
   Geodetic antenna = to_geodetic(middle);
   antenna.altitude = 0.0;
   for (int k = 0; k < kRefinements; ++k) {
+    if (!valid(antenna)) return std::nullopt;
     const LocalFrame near(antenna);
     std::vector<SatelliteObservation> seen = observations;
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i].position = near.satellite_to_map(satellites[i]);
@@ -165,7 +166,7 @@ std::optional<Geodetic> solve_geodetic(const std::vector<SatelliteObservation>& 
     if (!solution) return std::nullopt;
     antenna = near.to_geodetic(solution->position.head<2>(), solution->position.z());
   }
-  return antenna;
+  return valid(antenna) ? std::optional(antenna) : std::nullopt;
 }
 
 }  // namespace multipath_localization

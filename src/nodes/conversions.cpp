@@ -10,7 +10,6 @@ namespace multipath_localization {
 namespace {
 
 const Eigen::Vector3d kDefaultPoseSigmas(0.5, 0.5, kPi / 12.0);  ///< x, y, yaw as amcl starts from
-constexpr double kHighestAltitude = 100e3;
 constexpr double kFurthestPose = 1e7;
 constexpr std::size_t kLongestFrame = 256;
 constexpr double kShortestBaseline = 0.01;
@@ -84,9 +83,7 @@ Reason check(const sensor_msgs::NavSatFix& message, const FixParameters& paramet
   if (!is_short(message.header.frame_id)) return Reason::kInvalidFrame;
   if (message.status.status < parameters.min_fix_status) return Reason::kNoFix;
   if (!std::isfinite(message.latitude) || !std::isfinite(message.longitude)) return Reason::kNotFinite;
-  if (!valid(to_geodetic(message)) || std::abs(message.altitude) > kHighestAltitude) {
-    return Reason::kInvalidPosition;
-  }
+  if (!valid(to_geodetic(message))) return Reason::kInvalidPosition;
   if (!usable_covariance(message, parameters.largest_sigma)) return Reason::kInvalidCovariance;
   return Reason::kAccepted;
 }
@@ -102,7 +99,7 @@ CheckedFix to_fix(const sensor_msgs::NavSatFix& message, const LocalFrame& map,
   checked.fix.covariance =
       declares_none(message)
           ? Eigen::Matrix2d(Eigen::Matrix2d::Identity() * std::pow(parameters.default_sigma, 2))
-          : horizontal(message);
+          : Eigen::Matrix2d(0.5 * (horizontal(message) + horizontal(message).transpose()));
   if (!(checked.fix.position.norm() <= parameters.reach)) checked.reason = Reason::kInvalidPosition;
   return checked;
 }
@@ -160,6 +157,13 @@ geometry_msgs::Pose to_message(const Pose2& pose) {
   return message;
 }
 
+bool usable(const PosePrior& prior) {
+  const Eigen::Vector3d pose(prior.pose.x, prior.pose.y, prior.pose.yaw);
+  return pose.allFinite() && pose.cwiseAbs().maxCoeff() <= kFurthestPose && prior.covariance.allFinite() &&
+         prior.covariance.cwiseAbs().maxCoeff() <= kFurthestPose * kFurthestPose &&
+         prior.covariance.diagonal().minCoeff() > 0.0 && positive_semi_definite(prior.covariance);
+}
+
 std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message) {
   const std::optional<Pose2> pose = to_pose2(message.pose.pose);
   if (!pose) return {};
@@ -171,9 +175,7 @@ std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped
       covariance[kXY], covariance[kY], covariance[kYYaw],                  //
       covariance[kXYaw], covariance[kYYaw], covariance[kYaw];
   if (prior.covariance.isZero(0.0)) prior.covariance.diagonal() = kDefaultPoseSigmas.cwiseAbs2();
-  const bool usable = prior.covariance.allFinite() && prior.covariance.diagonal().minCoeff() > 0.0 &&
-                      positive_semi_definite(prior.covariance);
-  return usable ? std::optional<PosePrior>(prior) : std::nullopt;
+  return usable(prior) ? std::optional<PosePrior>(prior) : std::nullopt;
 }
 
 nav_msgs::Odometry with_motion(nav_msgs::Odometry odometry, const OdometryIncrement& motion) {

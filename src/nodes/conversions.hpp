@@ -58,6 +58,7 @@ struct CheckedFix {
 /// | east or north variance zero                        | `default_sigma` east and north            |
 /// | any horizontal entry NaN or infinite               | refused: invalid covariance               |
 /// | variance negative, or not positive semi-definite   | refused: invalid covariance               |
+/// | not symmetric by rounding, 1e-6 of the largest     | accepted: the mean of the two             |
 /// | variance above `largest_sigma`^2 (1e308 too)       | refused: invalid covariance               |
 /// | type not one of NavSatFix's four                   | refused: invalid covariance               |
 /// | type APPROXIMATED or DIAGONAL_KNOWN                | off-diagonal entries are not looked at    |
@@ -103,9 +104,12 @@ double declared_sigma(const sensor_msgs::NavSatFix& message);
 std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose);
 geometry_msgs::Pose to_message(const Pose2& pose);
 
+/// Whether an estimator can start from it: numbers are finite and up to 1e7 (m, rad), variances above zero
+/// and up to the square of that, and the covariance is positive semi-definite.
+bool usable(const PosePrior& prior);
+
 /// A start from a pose with covariance; one of all zeros stands for 0.5 m, 0.5 m and 15 degrees. Nothing when
-/// the pose is unusable or the covariance of x, y, yaw is not finite, not positive semi-definite or zero on
-/// the diagonal.
+/// that is no `usable` start.
 std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message);
 
 /// The pose of a child frame in its parent as the transform between them.

@@ -18,7 +18,6 @@ constexpr double kNearestRange = 1e6, kFurthestRange = 1e8;  ///< clock of the r
 constexpr double kLowestOrbit = 1e7, kHighestOrbit = 1e8;    ///< from the Earth's centre [m]
 constexpr double kFastest = 1e5;                             ///< clock drift included [m/s]
 constexpr double kStrongest = 100.0;                         ///< [dB-Hz]
-constexpr double kHighestAltitude = 100e3;                   ///< [m]
 
 static_assert(Pseudorange::GPS == static_cast<int>(Constellation::kGps));
 static_assert(Pseudorange::GLONASS == static_cast<int>(Constellation::kGlonass));
@@ -132,8 +131,7 @@ CheckedEpoch to_epoch(const GnssEpoch& message, const LocalFrame& map, const Epo
 std::optional<Geodetic> solve_geodetic(const GnssEpoch& message, const EpochParameters& parameters) {
   const LocalFrame anywhere(Geodetic{});
   const CheckedEpoch checked = to_epoch(message, anywhere, parameters);
-  const std::optional<Geodetic> place = solve_geodetic(checked.epoch.observations, anywhere);
-  return place && std::abs(place->altitude) <= kHighestAltitude ? place : std::nullopt;
+  return solve_geodetic(checked.epoch.observations, anywhere);
 }
 
 GnssEpoch to_message(const PseudorangeEpoch& epoch, const LocalFrame& map, const std_msgs::Header& header) {

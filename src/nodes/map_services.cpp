@@ -3,25 +3,18 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/console.h>
 
-#include <cmath>
 #include <utility>
+
+#include "nodes/map_requests.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
-constexpr double kLargestTurn = 1e-6;  ///< of map's axes, as a quaternion's vector part [1]
-constexpr char kNoDatum[] = "map has no datum yet; set one or wait for the first fix";
-
-bool refuse(const char* service, const char* why) {
-  ROS_WARN("%s refused: %s", service, why);
-  return false;
-}
-
-Geodetic to_geodetic(const GeoPoint& point) { return {point.latitude, point.longitude, point.altitude}; }
-
-bool turned(const geometry_msgs::Quaternion& q) {
-  return !(std::abs(q.x) + std::abs(q.y) + std::abs(q.z) < kLargestTurn) || !std::isfinite(q.w);
+/// Whether the request was answered; otherwise the log says why not.
+bool answered(const char* service, const std::string& refusal) {
+  if (!refusal.empty()) ROS_WARN("%s refused: %s", service, refusal.c_str());
+  return refusal.empty();
 }
 
 }  // namespace
@@ -54,11 +47,8 @@ void MapServices::tell_origin(const ros::Time& stamp) {
 }
 
 bool MapServices::on_datum(SetDatum::Request& request, SetDatum::Response&) {
-  const Geodetic place = to_geodetic(request.geo_pose.position);
-  if (!valid(place)) return refuse("datum", "there is no such place on the Earth");
-  if (turned(request.geo_pose.orientation)) {
-    return refuse("datum", "map's axes are east, north, up; it cannot be turned");
-  }
+  Geodetic place;
+  if (!answered("datum", answer(request, place))) return false;
   datum_.set(place);
   tell_origin(ros::Time());
   moved_();
@@ -66,27 +56,11 @@ bool MapServices::on_datum(SetDatum::Request& request, SetDatum::Response&) {
 }
 
 bool MapServices::to_place(ToLL::Request& request, ToLL::Response& response) {
-  const geometry_msgs::Point& point = request.map_point;
-  if (datum_.map() == nullptr) return refuse("toLL", kNoDatum);
-  if (!std::isfinite(point.x + point.y + point.z)) return refuse("toLL", "the point is not finite");
-  const Geodetic place = datum_.map()->to_geodetic({point.x, point.y}, point.z);
-  response.ll_point.latitude = place.latitude_deg;
-  response.ll_point.longitude = place.longitude_deg;
-  response.ll_point.altitude = place.altitude;
-  return true;
+  return answered("toLL", answer(request, datum_.map(), response));
 }
 
 bool MapServices::from_place(FromLL::Request& request, FromLL::Response& response) {
-  Geodetic place = to_geodetic(request.ll_point);
-  if (datum_.map() == nullptr) return refuse("fromLL", kNoDatum);
-  if (!valid(place)) return refuse("fromLL", "there is no such place on the Earth");
-  const LocalFrame& map = *datum_.map();
-  if (!std::isfinite(place.altitude)) place.altitude = map.datum().altitude;
-  const Eigen::Vector3d point = map.vector_to_map(LocalFrame(place).origin() - map.origin());
-  response.map_point.x = point.x();
-  response.map_point.y = point.y();
-  response.map_point.z = point.z();
-  return true;
+  return answered("fromLL", answer(request, datum_.map(), response));
 }
 
 }  // namespace multipath_localization

@@ -12,6 +12,7 @@
 
 #include "multipath_localization/core/atomic_file.hpp"
 #include "multipath_localization/core/parameters.hpp"
+#include "nodes/conversions.hpp"
 
 namespace multipath_localization {
 
@@ -60,6 +61,14 @@ Pose2 pose_of(const YAML::Node& source) {
   return {p[0], p[1], p[2]};
 }
 
+/// With as much uncertainty as the pose was saved with.
+PosePrior prior_at(const Pose2& base, const SavedPose& saved) {
+  PosePrior prior;
+  prior.pose = base;
+  prior.covariance = saved.covariance + kRoundingSigma * kRoundingSigma * Eigen::Matrix3d::Identity();
+  return prior;
+}
+
 SavedPose parsed(const YAML::Node& content) {
   if (!content.IsMap() || content.size() != kKeys)
     throw ParameterError("it does not hold what belongs there");
@@ -72,6 +81,11 @@ SavedPose parsed(const YAML::Node& content) {
   saved.base_in_odom = pose_of(content["base_in_odom"]);
   saved.confirmed = content["confirmed"].as<bool>();
   if (!valid(saved.datum) || !std::isfinite(saved.stamp)) throw ParameterError("datum or stamp is none");
+  for (const Pose2& base : {saved.base_in_map, saved.base_in_odom}) {
+    if (!usable(prior_at(base, saved)))
+      throw ParameterError("nobody can start from such a pose or covariance");
+  }
+  saved.covariance = (0.5 * (saved.covariance + saved.covariance.transpose())).eval();  // rounding
   return saved;
 }
 
@@ -97,10 +111,8 @@ std::variant<PosePrior, std::string> resumed(const SavedPose& saved, double stam
   if (age < 0.0) why << "it was saved " << -age << " s after the odometry that comes now";
   if (age > max_age) why << "it is " << age << " s old";
   if (!why.str().empty()) return why.str();
-  PosePrior prior;
+  PosePrior prior = prior_at(saved.base_in_map, saved);
   prior.stamp = stamp;
-  prior.pose = saved.base_in_map;
-  prior.covariance = saved.covariance + kRoundingSigma * kRoundingSigma * Eigen::Matrix3d::Identity();
   const Pose2 rolled = inverse(saved.base_in_odom) * base_in_odom;
   if (rolled.position().norm() > kFastest * age + kSlack) return prior;
   prior.pose = saved.base_in_map * rolled;

@@ -59,7 +59,18 @@ TEST(LocalFrame, UnknownAltitudeCountsAsTheDatums) {
   EXPECT_TRUE(flat.to_map(unknown).allFinite());
 }
 
+TEST(Geodetic, IsValidUpToThePolesAndWithin100KmOfTheEllipsoid) {
+  EXPECT_TRUE(valid({-90.0, 180.0, -kHighestAltitude}));
+  EXPECT_TRUE(valid({52.5, 13.4, kNan}));
+  EXPECT_FALSE(valid({90.1, 0.0, 0.0}));
+  EXPECT_FALSE(valid({0.0, -180.1, 0.0}));
+  EXPECT_FALSE(valid({kNan, 0.0, 0.0}));
+  EXPECT_FALSE(valid({52.5, 13.4, 1.01 * kHighestAltitude}));
+  EXPECT_FALSE(valid({52.5, 13.4, -kInfinity}));
+}
+
 TEST(LocalFrame, RefusesADatumThatIsNone) {
+  EXPECT_THROW(LocalFrame({52.5, 13.4, 1e308}), std::invalid_argument);
   for (const Geodetic& datum : {Geodetic{kNan, 0.0, 0.0}, Geodetic{0.0, kNan, 0.0}, Geodetic{90.1, 0.0, 0.0},
                                 Geodetic{0.0, 180.1, 0.0}, Geodetic{kInfinity, 0.0, 0.0}}) {
     EXPECT_FALSE(valid(datum));

@@ -38,6 +38,16 @@ TEST(CsvTable, NamesFileLineAndReason) {
   EXPECT_EQ(failure_of([&] { CsvTable(file, {"a", "c"}); }), file + ":1: no column c");
 }
 
+TEST(CsvTable, RefusesNumbersBeyondABoundAndWithMoreBehindThem) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.csv", std::string("a,b\n-1e300,1\0 x\n", 16));
+  const CsvTable table(file, {"a"});
+  EXPECT_EQ(table.number(0, "a"), -1e300);
+  EXPECT_EQ(failure_of([&] { static_cast<void>(table.number(0, "a", 1e11)); }),
+            file + ":2: a is '-1e300', beyond 1e+11");
+  EXPECT_NE(failure_of([&] { static_cast<void>(table.number(0, "b")); }), "");
+}
+
 TEST(CsvTable, RefusesWhatIsNoTable) {
   const TemporaryFolder folder;
   const std::string ragged = folder.write("ragged.csv", "a,b\n1,2\n3\n");

@@ -144,14 +144,26 @@ TEST_F(ReadDrive, RefusesWithFileLineAndReason) {
   folder_.write("odometry.csv", "t,vx\n0,1\n1,1\n");
   EXPECT_EQ(failure(), folder_.path() + "/odometry.csv:1: no column wz");
   folder_.write("odometry.csv", kOdometry);
+  folder_.write("fix.csv", "t,lat_deg,lon_deg,cov_ee_m2,cov_en_m2,cov_nn_m2\n0,50,10,1,0,\n");
+  EXPECT_EQ(failure(), folder_.path() + "/fix.csv:2: cov_nn_m2 is '', not a finite number");
+  folder_.write("fix.csv", kFixes);
   folder_.write("truth.csv", "t,lat_deg,lon_deg\n0,91,10\n");
-  EXPECT_EQ(failure(), folder_.path() + "/truth.csv:2: latitude or longitude out of range");
+  EXPECT_EQ(failure(), folder_.path() + "/truth.csv:2: latitude, longitude or altitude out of range");
+  folder_.write("truth.csv", "t,lat_deg,lon_deg,alt_m\n0,50,10,1e308\n");
+  EXPECT_EQ(failure(), folder_.path() + "/truth.csv:2: latitude, longitude or altitude out of range");
   folder_.write("truth.csv", kTruth);
   std::filesystem::remove(folder_.path() + "/fix.csv");
   EXPECT_EQ(failure(), folder_.path() + ": neither fix.csv nor pseudoranges.csv");
   folder_.write("fix.csv", kFixes);
   std::filesystem::remove(folder_.path() + "/odometry.csv");
   EXPECT_EQ(failure(), folder_.path() + ": neither odometry.csv nor velocity by Doppler");
+}
+
+TEST_F(ReadDrive, RefusesNumbersThatDifferencesAndMeansOfWouldOverflow) {
+  folder_.write("odometry.csv", "t,vx,wz\n-1.7e308,1,0\n1.7e308,1,0\n");
+  EXPECT_EQ(failure(), folder_.path() + "/odometry.csv:2: t is '-1.7e308', beyond 1e+11");
+  folder_.write("odometry.csv", "t,vx,wz\n0,1e308,0\n1,1e308,0\n");
+  EXPECT_EQ(failure(), folder_.path() + "/odometry.csv:2: vx is '1e308', beyond 1000");
 }
 
 TEST(TruthAt, IsLinearAndTurnsTheShortWay) {

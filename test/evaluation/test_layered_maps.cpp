@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/evaluation/layered_maps.hpp"
 
 namespace multipath_localization {
@@ -31,6 +32,20 @@ TEST(LaidOver, CountsWhatIsNoMapAsEmpty) {
   EXPECT_TRUE(laid_over(YAML::Node(), YAML::Node()).IsMap());
   EXPECT_EQ(laid_over(YAML::Node(), YAML::Load("{a: 1}"))["a"].as<int>(), 1);
   EXPECT_EQ(laid_over(YAML::Load("{a: 1}"), YAML::Node())["a"].as<int>(), 1);
+}
+
+TEST(LaidOver, ChangesOneOfTwoMapsThatAnAliasMakesOne) {
+  const YAML::Node all = laid_over(YAML::Load("{a: &a {b: 1}, c: *a}"), YAML::Load("{a: {b: 2}}"));
+  EXPECT_EQ(all["a"]["b"].as<int>(), 2);
+  EXPECT_EQ(all["c"]["b"].as<int>(), 1);
+}
+
+TEST(LaidOver, RefusesMapsThatHoldThemselves) {
+  EXPECT_THROW(laid_over(YAML::Load("&a {x: *a}"), YAML::Load("&a {x: *a}")), ParameterError);
+}
+
+TEST(LaidOver, RefusesAKeyThatIsNotAText) {
+  EXPECT_THROW(laid_over(YAML::Node(), YAML::Load("{[1, 2]: 3}")), ParameterError);
 }
 
 }  // namespace

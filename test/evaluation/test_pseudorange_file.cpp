@@ -101,5 +101,17 @@ TEST_F(ReadPseudoranges, RefusesWithFileLineAndReason) {
       file + ":2: there is no column sat_vx");
 }
 
+TEST_F(ReadPseudoranges, RefusesWhatNoSatelliteIs) {
+  const std::string file = folder_.path() + "/pseudoranges.csv";
+  const auto with = [](const std::string& number, const std::string& position) {
+    return kHeader + ("0," + number + ",GPS,30,40," + position + ",2e7,5\n");
+  };
+  EXPECT_EQ(failure(with("7", "1e7,1e7,2e7")), "");
+  EXPECT_EQ(failure(with("1e300", "1e7,1e7,2e7")), file + ":2: sat_id is '1e300', beyond 65535");
+  EXPECT_EQ(failure(with("1.5", "1e7,1e7,2e7")), file + ":2: sat_id is not a whole number");
+  EXPECT_EQ(failure(with("7", "1e7,1e308,2e7")), file + ":2: sat_y is '1e308', beyond 1e+08");
+  EXPECT_EQ(failure(with("7", "1,1,1")), file + ":2: no satellite's orbit is at sat_x, sat_y, sat_z");
+}
+
 }  // namespace
 }  // namespace multipath_localization

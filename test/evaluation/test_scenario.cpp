@@ -165,6 +165,8 @@ TEST(Scenario, RefusesWhatNobodyReads) {
   EXPECT_THROW(written("duration: long"), ParameterError);
   EXPECT_THROW(written("steered_on: sight"), ParameterError);
   EXPECT_THROW(written("- 1"), ParameterError);
+  EXPECT_THROW(written("simulator: &a {robot: *a}"), ParameterError);
+  EXPECT_THROW(written("[1, 2]: 3"), ParameterError);
   EXPECT_THROW(load_scenario("/nowhere/at_all.yaml"), ParameterError);
 }
 

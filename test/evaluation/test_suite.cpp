@@ -28,7 +28,8 @@ TEST(LoadSuite, LaysEachRowOverTheBase) {
 TEST(LoadSuite, RefusesWhatIsNoneAndNamesTheRow) {
   const TemporaryFolder folder;
   for (const char* text : {"[]", "base: {}", "rows: {}", "rows: []", "rows: {a: {}}\nmore: 1", "rows: {a: 3}",
-                           "rows: {a: {durat: 3}}", "rows:\n  a: {}\n  a: {}"}) {
+                           "rows: {a: {durat: 3}}", "rows:\n  a: {}\n  a: {}", "{[1, 2]: 3}",
+                           "rows: {{a: b}: {}}", "base: {[1]: 2}\nrows: {a: {}}", "rows: {a: {[1]: 2}}"}) {
     EXPECT_THROW(load_suite(folder.write("suite.yaml", text)), ParameterError) << text;
   }
   try {

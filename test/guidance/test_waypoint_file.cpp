@@ -73,6 +73,7 @@ TEST_F(WaypointFile, RefusesABadLineOfCsvByItsNumber) {
   EXPECT_EQ(refusal("a.csv", "x,y\n1,2,3\n"), ":2: 3 cells instead of 2");
   EXPECT_EQ(refusal("a.csv", "x,y\n1,two\n"), ":2: 'two' is not a number");
   EXPECT_EQ(refusal("a.csv", "x,y\n1,\n"), ":2: '' is not a number");
+  EXPECT_EQ(refusal("a.csv", std::string("x,y\n1\0e9,2\n", 11)).rfind(":2: '1", 0), 0U) << "a zero byte";
   EXPECT_EQ(refusal("a.csv", "x,y\nnan,1\n"), ":2: a waypoint is not finite");
   EXPECT_EQ(refusal("a.csv", "x,y\n1,1e9\n"), ":2: farther than 100 km from map's origin");
   EXPECT_EQ(refusal("a.csv", "latitude,longitude\n35,139\n139,35\n"),

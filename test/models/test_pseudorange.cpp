@@ -26,6 +26,14 @@ TEST(LineOfSight, PointsToTheSatellite) {
   EXPECT_LT((sight.direction - Eigen::Vector3d(std::sqrt(0.75), 0.0, 0.5)).norm(), 1e-12);
 }
 
+TEST(SolveGeodetic, GivesNothingWhereSatellitesLeadToNoPlace) {
+  auto sky = observed(open_sky(), kAntenna, kGpsClock, kGlonassClock);
+  const LocalFrame map(Geodetic{52.5, 13.4, 40.0});
+  EXPECT_TRUE(solve_geodetic(sky, map));
+  sky[2].position.x() = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(solve_geodetic(sky, map));
+}
+
 TEST(SolvePosition, RecoversPositionAndClocksFromFarOff) {
   const auto sky = observed(open_sky(), kAntenna, kGpsClock, kGlonassClock);
   const auto solution = solve_position(sky, declared_weights(sky), {5e4, -8e4, -3e4});

@@ -101,6 +101,11 @@ TEST(ToFix, RefusesCovariancesThatAreNone) {
   EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[4] = 1e308; }), none);
   EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[1] = f.position_covariance[3] = 7.0; }), none);
   EXPECT_EQ(reason_after([](auto& f) { f.position_covariance[1] = -1.0; }), none) << "not symmetric";
+  sensor_msgs::NavSatFix rounded = good_fix();
+  rounded.position_covariance[1] += 4e-6;
+  const CheckedFix checked = to_fix(rounded, berlin(), FixParameters{});
+  EXPECT_EQ(checked.reason, Reason::kAccepted);
+  EXPECT_EQ(checked.fix.covariance(0, 1), checked.fix.covariance(1, 0)) << "filters take it for symmetric";
   EXPECT_EQ(reason_after([](auto& f) { f.position_covariance_type = 4; }), none);
 }
 
@@ -208,6 +213,9 @@ TEST(ToPrior, TakesXYYawOutOfSixBySix) {
   bare.pose.covariance.assign(0.0);
   ASSERT_TRUE(to_prior(bare));
   EXPECT_EQ(to_prior(bare)->covariance(0, 0), 0.25) << "the default";
+  message.pose.covariance[0] = 1e308;
+  EXPECT_FALSE(to_prior(message)) << "squares of it are infinite";
+  message.pose.covariance[0] = 0.25;
   message.pose.covariance[35] = 0.0;
   EXPECT_FALSE(to_prior(message)) << "nobody knows a heading that well";
   message.pose.covariance[35] = kNan;

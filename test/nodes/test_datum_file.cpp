@@ -51,9 +51,10 @@ TEST(DatumFile, CutAnywhereIsRefused) {
 TEST(DatumFile, AnythingElseIsRefusedByName) {
   const TemporaryFolder folder;
   const std::string file = folder.path() + "/datum.yaml";
-  for (const char* content : {"datum: [52.5, 13.4]", "datum: [91.0, 13.4, 0.0]", "datum: [52.5, 13.4, .nan]",
-                              "datum: [a, b, c]", "datum: 52.5", "origin: [52.5, 13.4, 0.0]",
-                              "datum: [52.5, 13.4, 0.0]\nyaw: 1.0", "- 1", "\x01\x02"}) {
+  for (const char* content :
+       {"datum: [52.5, 13.4]", "datum: [91.0, 13.4, 0.0]", "datum: [52.5, 13.4, .nan]",
+        "datum: [52.5, 13.4, 1e308]", "datum: [a, b, c]", "datum: 52.5", "origin: [52.5, 13.4, 0.0]",
+        "datum: [52.5, 13.4, 0.0]\nyaw: 1.0", "- 1", "\x01\x02"}) {
     folder.write("datum.yaml", content);
     try {
       read_datum(file);

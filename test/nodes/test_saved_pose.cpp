@@ -51,6 +51,11 @@ TEST(SavedPose, CutAnywhereOrChangedIsDamaged) {
   for (const auto& [from, to] : {std::pair("13.373", "x"),
                                  {"confirmed: true", "confirmed: 3"},
                                  {"12.5", ".nan"},
+                                 {"12.5", "1e308"},
+                                 {"76.0109", "1e308"},
+                                 {"covariance: [", "covariance: [-"},
+                                 {"covariance: [", "covariance: [1e300, 1, 0, 1, 1, 0, 0, 0, 1] #"},
+                                 {"covariance: [", "covariance: [1, 2, 0, -2, 1, 0, 0, 0, 1] #"},
                                  {"52.5", "152.5"},
                                  {"stamp: 2", "stamp: .inf #"},
                                  {"odom: [1, ", "odom: ["}}) {

@@ -9,6 +9,8 @@ constexpr double kSpeedOfLight = 299792458.0;           ///< [m/s]
 constexpr double kEarthRotationRate = 7.2921151467e-5;  ///< [rad/s]
 constexpr double kEarthGravitation = 3.986004418e14;    ///< GM [m^3/s^2]
 
+constexpr double kHighestAltitude = 100e3;  ///< of a place, above or below the ellipsoid [m]
+
 /// A point on or above the WGS-84 ellipsoid: degrees north, degrees east, metres.
 struct Geodetic {
   double latitude_deg = 0.0;
@@ -19,7 +21,7 @@ struct Geodetic {
 /// Of a point in the Earth-centred, Earth-fixed frame [m].
 Geodetic to_geodetic(const Eigen::Vector3d& ecef);
 
-/// True when the coordinates are finite and |latitude| <= 90, |longitude| <= 180. Altitude may be NaN.
+/// True when |latitude| <= 90, |longitude| <= 180 and |altitude| <= kHighestAltitude or NaN.
 bool valid(const Geodetic& point);
 
 /// The map frame: local tangent plane (east, north, up) at a datum, by GeographicLib. No UTM, no zones.

@@ -73,6 +73,9 @@ void load(const YAML::Node& source, Parameters& value, const std::string& path =
 /// The same for a file. Throws ParameterError when it cannot be read.
 YAML::Node read_yaml(const std::string& file);
 
+/// The key of an entry of a map. Throws ParameterError, naming `map`, on one that is not a text.
+const std::string& text_of_key(const YAML::Node& key, const std::string& map);
+
 /// The parameters as YAML, each with a comment `[unit] low..high: meaning`; below an empty list, commented
 /// out, what an item of it holds.
 template <class Parameters>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,8 @@ class DriveError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+constexpr double kLatestTime = 1e11;  ///< of a recording [s]: those that count milliseconds are refused
+
 /// A comma-separated table with a header line. Columns go by name, in any order; text cells are allowed where
 /// nobody asks for a number.
 class CsvTable {
@@ -25,8 +28,9 @@ class CsvTable {
   [[nodiscard]] std::size_t rows() const { return cells_.size(); }
   [[nodiscard]] bool has(const std::string& column) const { return columns_.count(column) > 0; }
 
-  /// The finite number in that cell. Throws DriveError when it is none.
-  [[nodiscard]] double number(std::size_t row, const std::string& column) const;
+  /// The finite number in that cell, up to `largest` either way. Throws DriveError when it is none.
+  [[nodiscard]] double number(std::size_t row, const std::string& column,
+                              double largest = std::numeric_limits<double>::max()) const;
 
   /// The cell as it stands, without blanks and quotes round it. Throws DriveError where the file has no such
   /// column.

@@ -62,9 +62,10 @@ Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& 
 
 /// Reads `odometry.csv` (t, vx, wz), `truth.csv` (t, lat_deg, lon_deg; optional alt_m, yaw, shadow) and
 /// `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional alt_m, t_arrival) or
-/// `pseudoranges.csv` (PseudorangeFile) or both of a directory; other columns are left alone. The map's datum
-/// is the first fix, without fixes the solution of the first epoch: truth decides nothing but the score, and
-/// without `truth.csv` there is none. Without `odometry.csv` the motion is that by the Doppler shifts of
+/// `pseudoranges.csv` (PseudorangeFile) or both of a directory; other columns are left alone. Times are
+/// seconds up to kLatestTime, wheels turn at up to 1e3 m/s and rad/s. The map's datum is the first fix,
+/// without fixes the solution of the first epoch: truth decides nothing but the score, and without
+/// `truth.csv` there is none. Without `odometry.csv` the motion is that by the Doppler shifts of
 /// `pseudoranges.csv` (doppler_odometry.hpp). The drive's notices say so.
 /// Throws DriveError.
 Drive read_drive(const std::string& directory);

@@ -14,7 +14,8 @@ namespace multipath_localization {
 /// Constellation's name), elevation_deg, cn0_dbhz, sat_x, sat_y, sat_z (ECEF at transmission, the Earth's
 /// rotation not undone), pseudorange_m, std_m; optional range_rate_mps with sat_vx, sat_vy, sat_vz (ECEF),
 /// and t_arrival. A blank cn0_dbhz or range_rate_mps is one that was not measured. Epochs are lines of equal
-/// t.
+/// t. Refused are satellites that are not 1e7 to 1e8 m from the Earth's centre, ranges over 1e10 m and rates
+/// over 1e5 m/s.
 class PseudorangeFile {
  public:
   /// Throws DriveError.

@@ -1,0 +1,50 @@
+#include "multipath_localization/guidance/waypoint_file.hpp"
+#include "oracle.hpp"
+#include "targets.hpp"
+
+namespace multipath_localization::fuzz {
+
+namespace {
+
+constexpr double kRounding = 1e-4;  // [m], [deg]
+
+void check(const WaypointList& list, const std::string& ending) {
+  require(list.points.size() <= kMostWaypoints, "too many waypoints");
+  for (const Eigen::Vector2d& point : list.points) {
+    require(fault_of(point, list.on_earth).empty(), "a waypoint that cannot be driven to");
+  }
+  if (list.points.empty()) return;
+  const std::string file = written("written" + ending, "");
+  write_waypoints(file, list);
+  const auto again = read_waypoints(file);
+  require(again && again->on_earth == list.on_earth && again->points.size() == list.points.size(),
+          "waypoints are others once written and read again");
+  for (std::size_t i = 0; i < list.points.size(); ++i) {
+    require((again->points[i] - list.points[i]).norm() <= kRounding, "a waypoint has moved by being written");
+  }
+}
+
+void check_in_map(const WaypointList& list) {
+  const auto points = unless_refused<std::invalid_argument>([&] {
+    return to_map(list, LocalFrame(Geodetic{52.5, 13.4, 40.0}));
+  });
+  if (!points) return;
+  for (const Eigen::Vector2d& point : *points) {
+    require(point.lpNorm<Eigen::Infinity>() <= kFarthestWaypoint, "a waypoint out of reach");
+  }
+}
+
+}  // namespace
+
+void waypoints(const std::string& bytes) {
+  for (const std::string ending : {".csv", ".yaml"}) {
+    const auto list =
+        unless_refused<ParameterError>([&] { return read_waypoints(written("waypoints" + ending, bytes)); });
+    if (!list) continue;
+    require(list->has_value(), "the file is there");
+    check(**list, ending);
+    check_in_map(**list);
+  }
+}
+
+}  // namespace multipath_localization::fuzz
