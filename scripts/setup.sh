@@ -1,4 +1,4 @@
-# What scripts/test and scripts/demo share: sourced by them, not run.
+# What scripts/test, scripts/sanitize and scripts/demo share: sourced by them, not run.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$root/.build
@@ -92,4 +92,26 @@ build() {
   set +u
   . "$build_dir/devel/setup.bash"
   set -u
+}
+
+# build_tests [CMAKE_OPTION...]: builds everything, tests too.
+build_tests() {
+  build all -DCATKIN_ENABLE_TESTING=ON -DWARNINGS_AS_ERRORS=ON "$@"
+  cmake --build "$build_dir" --target tests -- --no-print-directory -j"$(jobs)"
+  # Configured again: catkin notes for the tests' environment only those folders that exist by then.
+  cmake "$build_dir" >>"$build_dir/configure.log" 2>&1
+}
+
+# run_tests: runs them all and names each as it ends; what they say goes to tests.log of the build folder.
+run_tests() {
+  say "Testing"
+  cmake --build "$build_dir" --target run_tests -- --no-print-directory 2>&1 | tee "$build_dir/tests.log" |
+    sed -nuE 's#.*verify result ".*/(gtest|rostest)-(test_nodes_|test_)?(.*)\.xml".*#  \1 \3#p' || true
+}
+
+# record NAME [failed]: one more test case among the results.
+record() {
+  mkdir -p "$build_dir/test_results/checks"
+  printf '<testsuite name="check"><testcase name="%s">%s</testcase></testsuite>\n' \
+    "$1" "${2:+<failure message=\"$2\"/>}" >"$build_dir/test_results/checks/$1.xml"
 }

@@ -206,6 +206,17 @@ TEST_F(LocalizerTest, StartForgetsFixesThatWaited) {
   EXPECT_TRUE(recorder->innovations.empty());
 }
 
+TEST_F(LocalizerTest, SaysThatOdometryContradictsTheFixesBeforeItAsksToDriveOn) {
+  drive(0.5);
+  recorder->estimate_.valid = true;
+  recorder->estimate_.wheel_fault_probability = 0.4;
+  EXPECT_NE(localizer->state_reason().find("drive on"), std::string::npos);
+  recorder->estimate_.wheel_fault_probability = 0.6;
+  EXPECT_EQ(localizer->state(), Trust::kAligning);
+  EXPECT_EQ(localizer->state_reason(),
+            "odometry contradicts the fixes: do the wheels slip, does an encoder fail?");
+}
+
 TEST_F(LocalizerTest, ReportsAreHandedOutOnce) {
   drive(1.0);
   localizer->add(Measurement(fix_at(now - 0.5)));
