@@ -198,7 +198,8 @@ void MultipathParticleFilter::update_confirmation() {
     alignment_.clear();
     return unconfirm();
   }
-  if (doubtful_bias() > 0.0) return unconfirm();
+  const bool scattered = cluster_.overall_position_covariance.trace() > square(parameters_.doubtful_sigma);
+  if (doubtful_bias() > 0.0 || (scattered && class_probability_[kCanyon] < kMajority)) return unconfirm();
   double open_quiet = 0.0;
   for (const BeliefParticle& particle : particles_) {
     const bool quiet = !particle.mode.shadow && !particle.mode.noisy;

@@ -19,6 +19,8 @@ void MultipathParticleFilterParameters::tunable(ParameterVisitor& field) {
         "uncertainty of position at a restart from the fixes");
   field("largest_bias", largest_bias, {0.1, 1e4}, "m",
         "a larger bias is believed in a canyon alone; elsewhere it makes the pose unconfirmed");
+  field("doubtful_sigma", doubtful_sigma, {0.1, 1e6}, "m",
+        "so does a larger standard deviation of position over all hypotheses");
   field("heading_restart_rate", heading_restart_rate, {0.0, 1.0}, "1/s",
         "rate of restarts of the heading from the fixes once the pose is confirmed");
   field("slip_end_rate", slip_end_rate, {0.01, 100.0}, "1/s", "rate of wheel slip ending");

@@ -19,6 +19,7 @@ struct MultipathParticleFilterParameters {
   double class_evidence_time = 2.0;
   double restart_sigma = 5.0;
   double largest_bias = 20.0;
+  double doubtful_sigma = 10.0;
   double heading_restart_rate = 0.001;
   double slip_end_rate = 1.0;
   double alignment_length = 12.0;
