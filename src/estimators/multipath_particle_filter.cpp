@@ -187,6 +187,12 @@ double MultipathParticleFilter::doubtful_bias() const {
   return doubtful ? bias : 0.0;
 }
 
+/// Whether the pose may be anywhere, outside a canyon, where that is usual.
+bool MultipathParticleFilter::scattered() const {
+  const double variance = cluster_.overall_position_covariance.trace();
+  return variance > square(parameters_.doubtful_sigma) && class_probability_[kCanyon] < kMajority;
+}
+
 /// The pose is to be found and confirmed anew.
 void MultipathParticleFilter::unconfirm() {
   confirmed_ = false;
@@ -198,8 +204,7 @@ void MultipathParticleFilter::update_confirmation() {
     alignment_.clear();
     return unconfirm();
   }
-  const bool scattered = cluster_.overall_position_covariance.trace() > square(parameters_.doubtful_sigma);
-  if (doubtful_bias() > 0.0 || (scattered && class_probability_[kCanyon] < kMajority)) return unconfirm();
+  if (doubtful_bias() > 0.0 || scattered()) return unconfirm();
   double open_quiet = 0.0;
   for (const BeliefParticle& particle : particles_) {
     const bool quiet = !particle.mode.shadow && !particle.mode.noisy;

@@ -12,7 +12,6 @@ namespace {
 const Eigen::Vector3d kDefaultPoseSigmas(0.5, 0.5, kPi / 12.0);  ///< x, y, yaw as amcl starts from
 constexpr double kFurthestPose = 1e7;
 constexpr std::size_t kLongestFrame = 256;
-constexpr double kUniformYawVariance = kPi * kPi / 3.0;
 constexpr double kShortestBaseline = 0.01;
 constexpr std::size_t kX = 0, kY = 7, kYaw = 35, kXY = 1, kXYaw = 5, kYYaw = 11;       ///< in a row-major 6x6
 constexpr std::size_t kEast = 0, kEastNorth = 1, kNorthEast = 3, kNorth = 4, kUp = 8;  ///< in a row-major 3x3
@@ -176,13 +175,7 @@ std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped
       covariance[kXY], covariance[kY], covariance[kYYaw],                  //
       covariance[kXYaw], covariance[kYYaw], covariance[kYaw];
   if (prior.covariance.isZero(0.0)) prior.covariance.diagonal() = kDefaultPoseSigmas.cwiseAbs2();
-  if (!usable(prior)) return {};
-  if (prior.covariance(2, 2) > kUniformYawVariance) {
-    prior.covariance.row(2).setZero();
-    prior.covariance.col(2).setZero();
-    prior.covariance(2, 2) = kUniformYawVariance;
-  }
-  return prior;
+  return usable(prior) ? std::optional<PosePrior>(prior) : std::nullopt;
 }
 
 nav_msgs::Odometry with_motion(nav_msgs::Odometry odometry, const OdometryIncrement& motion) {

@@ -108,9 +108,8 @@ geometry_msgs::Pose to_message(const Pose2& pose);
 /// and up to the square of that, and the covariance is positive semi-definite.
 bool usable(const PosePrior& prior);
 
-/// A start from a pose with covariance; one of all zeros stands for 0.5 m, 0.5 m and 15 degrees. A heading
-/// less certain than one that is uniform (more than pi^2 / 3) is that one, correlated with nothing. Nothing
-/// when that is no `usable` start.
+/// A start from a pose with covariance; one of all zeros stands for 0.5 m, 0.5 m and 15 degrees. Nothing when
+/// that is no `usable` start.
 std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message);
 
 /// The pose of a child frame in its parent as the transform between them.

@@ -197,18 +197,6 @@ TEST(ToPose2, RefusesWhatIsNoPose) {
   EXPECT_FALSE(to_pose2(pose));
 }
 
-TEST(ToPrior, TakesAHeadingThatNobodyKnowsForUniform) {
-  geometry_msgs::PoseWithCovarianceStamped message;
-  message.pose.pose = to_message(Pose2{1.0, 2.0, 0.5});
-  message.pose.covariance[0] = message.pose.covariance[7] = 4.0;
-  message.pose.covariance[35] = 1e6;
-  message.pose.covariance[5] = message.pose.covariance[30] = 100.0;
-  const auto prior = to_prior(message);
-  ASSERT_TRUE(prior);
-  EXPECT_TRUE(
-      prior->covariance.isApprox(Eigen::Vector3d(4.0, 4.0, kPi * kPi / 3.0).asDiagonal().toDenseMatrix()));
-}
-
 TEST(ToPrior, TakesXYYawOutOfSixBySix) {
   geometry_msgs::PoseWithCovarianceStamped message;
   message.pose.pose = to_message(Pose2{1.0, 2.0, 0.5});

@@ -26,9 +26,9 @@ TEST(ToMessage, FillsARowMajorSixBySix) {
   Eigen::Matrix<double, 6, 6> covariance;
   for (int i = 0; i < 36; ++i) covariance(i / 6, i % 6) = message.covariance[static_cast<std::size_t>(i)];
   EXPECT_EQ((covariance - covariance.transpose()).norm(), 0.0);
-  EXPECT_EQ(covariance(0, 0), 4.0);
-  EXPECT_EQ(covariance(0, 1), 0.4);
-  EXPECT_EQ(covariance(1, 1), 5.0);
+  EXPECT_NEAR(covariance(0, 0), 4.0, 1e-12);
+  EXPECT_NEAR(covariance(0, 1), 0.4, 1e-12);
+  EXPECT_NEAR(covariance(1, 1), 5.0, 1e-12);
   EXPECT_EQ(covariance(0, 5), 0.2);
   EXPECT_EQ(covariance(1, 5), 0.3);
   EXPECT_EQ(covariance(5, 5), 0.5);

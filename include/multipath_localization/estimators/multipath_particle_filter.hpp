@@ -71,6 +71,7 @@ class MultipathParticleFilter : public Estimator {
   std::vector<double> sample_modes(const GnssFix& fix, double duration);
   [[nodiscard]] FixInterval interval(const ReceiverClass& receiver, double duration) const;
   [[nodiscard]] double doubtful_bias() const;
+  [[nodiscard]] bool scattered() const;
   void unconfirm();
   void update_confirmation();
   void refresh_cluster();
