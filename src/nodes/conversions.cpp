@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/filters/kalman.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -99,7 +101,7 @@ CheckedFix to_fix(const sensor_msgs::NavSatFix& message, const LocalFrame& map,
   checked.fix.covariance =
       declares_none(message)
           ? Eigen::Matrix2d(Eigen::Matrix2d::Identity() * std::pow(parameters.default_sigma, 2))
-          : Eigen::Matrix2d(0.5 * (horizontal(message) + horizontal(message).transpose()));
+          : kalman::symmetric<2>(horizontal(message));
   if (!(checked.fix.position.norm() <= parameters.reach)) checked.reason = Reason::kInvalidPosition;
   return checked;
 }

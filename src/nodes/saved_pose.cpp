@@ -12,6 +12,7 @@
 
 #include "multipath_localization/core/atomic_file.hpp"
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/filters/kalman.hpp"
 #include "nodes/conversions.hpp"
 
 namespace multipath_localization {
@@ -85,7 +86,7 @@ SavedPose parsed(const YAML::Node& content) {
     if (!usable(prior_at(base, saved)))
       throw ParameterError("nobody can start from such a pose or covariance");
   }
-  saved.covariance = (0.5 * (saved.covariance + saved.covariance.transpose())).eval();  // rounding
+  saved.covariance = kalman::symmetric<3>(saved.covariance);  // but for rounding it is
   return saved;
 }
 
