@@ -10,10 +10,8 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
-constexpr double kLargestNumber = 65535.0;                 ///< of a satellite
-constexpr double kLowestOrbit = 1e7, kHighestOrbit = 1e8;  ///< from the Earth's centre [m]
-constexpr double kFastest = 1e5;                           ///< clock drift included [m/s]
-constexpr double kFurthestRange = 1e10;                    ///< clock of the receiver included [m]
+constexpr double kLargestNumber = 65535.0;  ///< of a satellite
+constexpr double kFurthestRange = 1e10;     ///< clock of the receiver included [m]
 
 int number_of_satellite(const CsvTable& table, std::size_t row) {
   const double number = table.number(row, "sat_id", kLargestNumber);
@@ -29,7 +27,7 @@ Eigen::Vector3d position_of_satellite(const CsvTable& table, std::size_t row) {
 }
 
 Eigen::Vector3d velocity_of_satellite(const CsvTable& table, std::size_t row) {
-  const auto component = [&](const char* name) { return table.number(row, name, kFastest); };
+  const auto component = [&](const char* name) { return table.number(row, name, kFastestRangeRate); };
   return {component("sat_vx"), component("sat_vy"), component("sat_vz")};
 }
 
@@ -60,7 +58,7 @@ SatelliteObservation PseudorangeFile::observation(std::size_t row, const LocalFr
   const Eigen::Vector3d ecef = position_of_satellite(table_, row);
   observation.position = map.satellite_to_map(ecef);
   if (table_.has("range_rate_mps") && !table_.text(row, "range_rate_mps").empty()) {
-    observation.range_rate = table_.number(row, "range_rate_mps", kFastest);
+    observation.range_rate = table_.number(row, "range_rate_mps", kFastestRangeRate);
     observation.velocity = map.satellite_velocity_to_map(ecef, velocity_of_satellite(table_, row));
   }
   return observation;

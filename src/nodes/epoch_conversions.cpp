@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t kMostSatellites = 256;
 constexpr double kNearestRange = 1e6, kFurthestRange = 1e8;  ///< clock of the receiver included [m]
-constexpr double kLowestOrbit = 1e7, kHighestOrbit = 1e8;    ///< from the Earth's centre [m]
-constexpr double kFastest = 1e5;                             ///< clock drift included [m/s]
 constexpr double kStrongest = 100.0;                         ///< [dB-Hz]
 
 static_assert(Pseudorange::GPS == static_cast<int>(Constellation::kGps));
@@ -49,8 +47,8 @@ bool usable(const Pseudorange& message, const EpochParameters& parameters) {
   return message.constellation < kConstellations &&
          within(message.pseudorange, kNearestRange, kFurthestRange) &&
          within(vector(message.position).norm(), kLowestOrbit, kHighestOrbit) &&
-         unknown_or_within(message.range_rate, -kFastest, kFastest) &&
-         (velocity.hasNaN() || velocity.norm() <= kFastest) &&
+         unknown_or_within(message.range_rate, -kFastestRangeRate, kFastestRangeRate) &&
+         (velocity.hasNaN() || velocity.norm() <= kFastestRangeRate) &&
          unknown_or_within(message.cn0, 0.0, kStrongest) &&
          unknown_or_within(message.elevation, -0.5 * kPi, 0.5 * kPi) &&
          !(message.sigma > parameters.largest_sigma);

@@ -10,6 +10,11 @@
 
 namespace multipath_localization {
 
+/// No satellite is nearer to or further from the Earth's centre [m].
+constexpr double kLowestOrbit = 1e7, kHighestOrbit = 1e8;
+/// No range changes faster, clock drift included, and no satellite flies faster [m/s].
+constexpr double kFastestRangeRate = 1e5;
+
 /// A satellite as seen from an antenna.
 struct LineOfSight {
   double range = 0.0;                                   ///< [m]
