@@ -10,12 +10,11 @@
 #include <mutex>
 #include <thread>
 
-#include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "nodes/conversions.hpp"
 #include "nodes/parameter_server.hpp"
 #include "tools/live/node_process.hpp"
+#include "tools/live/sensor_messages.hpp"
 
 /// Measures how long after an odometry message the pose arrives that localization_node answers it with, and
 /// what share of a core the node takes. Times run from before `publish` in this program to the callback in
@@ -46,39 +45,19 @@ struct LatencyParameters {
 class Stream {
  public:
   nav_msgs::Odometry odometry(const ros::Time& stamp, double interval) {
-    base_ = base_ * displacement({0.0, interval, kSpeed, kYawRate});
-    nav_msgs::Odometry message;
-    message.header.stamp = stamp;
-    message.header.frame_id = "odom";
-    message.child_frame_id = "base_link";
-    message.pose.pose = to_message(base_);
-    message.twist.twist.linear.x = kSpeed;
-    message.twist.twist.angular.z = kYawRate;
-    return message;
+    return sensors_.odometry({0.0, interval, kSpeed, kYawRate}, stamp);
   }
 
   [[nodiscard]] sensor_msgs::NavSatFix fix(std::uint32_t step, const ros::Time& stamp) const {
     RandomStream random(1, step, 0);
-    const Eigen::Vector2d noise(kNoise * random.normal(), kNoise * random.normal());
-    const Geodetic place = map_.to_geodetic(base_.position() + noise);
-    sensor_msgs::NavSatFix message;
-    message.header.stamp = stamp;
-    message.header.frame_id = "base_link";
-    message.latitude = place.latitude_deg;
-    message.longitude = place.longitude_deg;
-    message.altitude = place.altitude;
-    message.position_covariance = {kNoise * kNoise, 0, 0, 0, kNoise * kNoise, 0, 0, 0, 1.0};
-    message.position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_DIAGONAL_KNOWN;
-    return message;
+    return sensors_.fix(sensors_.base_in_odom().position(), stamp, random);
   }
 
  private:
   static constexpr double kSpeed = 2.0;
   static constexpr double kYawRate = 0.1;
-  static constexpr double kNoise = 0.3;
 
-  LocalFrame map_{Geodetic{52.5, 13.4, 40.0}};
-  Pose2 base_;
+  SensorMessages sensors_;
 };
 
 /// When messages left and how long their answers took.

@@ -8,13 +8,12 @@
 #include <cstdio>
 
 #include "multipath_localization/FixReport.h"
-#include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "nodes/conversions.hpp"
 #include "nodes/fault_injector.hpp"
 #include "nodes/parameter_server.hpp"
 #include "tools/live/node_process.hpp"
+#include "tools/live/sensor_messages.hpp"
 #include "tools/soak/pose_audit.hpp"
 #include "tools/soak/random_faults.hpp"
 #include "tools/soak/wandering_robot.hpp"
@@ -30,13 +29,11 @@ namespace {
 constexpr double kHour = 3600.0;
 constexpr double kOdometryRate = 20.0;  ///< [Hz]
 constexpr int kOdometryPerFix = 10;
-constexpr std::size_t kUnderWay = 10;     ///< odometry sent without waiting for answers
-constexpr double kAnswerWithin = 2.0;     ///< [s]
-constexpr double kNoise = 0.3;            ///< of fixes [m]
-constexpr double kScale = 1.01;           ///< of the wheels
-constexpr double kGyroBias = 2e-3;        ///< [rad/s]
-constexpr double kRateNoise = 0.01;       ///< of speed [m/s] and yaw rate [rad/s]
-const Geodetic kDatum{52.5, 13.4, 40.0};  ///< that the node is to be given
+constexpr std::size_t kUnderWay = 10;  ///< odometry sent without waiting for answers
+constexpr double kAnswerWithin = 2.0;  ///< [s]
+constexpr double kScale = 1.01;        ///< of the wheels
+constexpr double kGyroBias = 2e-3;     ///< [rad/s]
+constexpr double kRateNoise = 0.01;    ///< of speed [m/s] and yaw rate [rad/s]
 
 struct SoakParameters {
   double hours = 24.0;
@@ -67,11 +64,12 @@ class Stream {
     u.stamp = time();
     u.speed = kScale * u.speed + (u.speed != 0.0 ? kRateNoise * random.normal() : 0.0);
     u.yaw_rate += kGyroBias + kRateNoise * random.normal();
-    in_odom_ = in_odom_ * displacement(u);
     Step step;
-    if (steps_ % kOdometryPerFix == 0) step.fixes = faults_.take(fix(random));
+    if (steps_ % kOdometryPerFix == 0) {
+      step.fixes = faults_.take(sensors_.fix(truth().position(), ros::Time(time()), random));
+    }
     std::vector<sensor_msgs::NavSatFix> late;
-    step.odometry = faults_.take(odometry(u), late);
+    step.odometry = faults_.take(sensors_.odometry(u, ros::Time(u.stamp)), late);
     step.fixes.insert(step.fixes.end(), late.begin(), late.end());
     return step;
   }
@@ -87,37 +85,11 @@ class Stream {
     return injector;
   }
 
-  nav_msgs::Odometry odometry(const OdometryIncrement& u) const {
-    nav_msgs::Odometry message;
-    message.header.stamp = ros::Time(u.stamp);
-    message.header.frame_id = "odom";
-    message.child_frame_id = "base_link";
-    message.pose.pose = to_message(in_odom_);
-    message.twist.twist.linear.x = u.speed;
-    message.twist.twist.angular.z = u.yaw_rate;
-    return message;
-  }
-
-  sensor_msgs::NavSatFix fix(RandomStream& random) const {
-    const Eigen::Vector2d noise(kNoise * random.normal(), kNoise * random.normal());
-    const Geodetic place = map_.to_geodetic(robot_.pose().position() + noise);
-    sensor_msgs::NavSatFix message;
-    message.header.stamp = ros::Time(time());
-    message.header.frame_id = "base_link";
-    message.latitude = place.latitude_deg;
-    message.longitude = place.longitude_deg;
-    message.altitude = place.altitude;
-    message.position_covariance = {kNoise * kNoise, 0, 0, 0, kNoise * kNoise, 0, 0, 0, 1.0};
-    message.position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_DIAGONAL_KNOWN;
-    return message;
-  }
-
   std::uint64_t seed_;
   std::uint32_t steps_ = 0;
   WanderingRobot robot_;
   FaultInjector faults_;
-  LocalFrame map_{kDatum};
-  Pose2 in_odom_;
+  SensorMessages sensors_;
 };
 
 /// What the clock of the stamps is ahead of the stream's [s].
