@@ -65,6 +65,13 @@ void Belief::renew_bias(double variance) {
   renew(kBiasY, 0.0, variance);
 }
 
+void Belief::move_by_bias(double variance) {
+  mean.head<2>() += mean.tail<2>();
+  covariance.topRows<2>() += covariance.bottomRows<2>().eval();
+  covariance.leftCols<2>() += covariance.rightCols<2>().eval();
+  renew_bias(variance);
+}
+
 void Belief::renew(StateIndex index, double value, double variance) {
   mean(index) = value;
   covariance.row(index).setZero();

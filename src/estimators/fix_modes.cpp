@@ -123,8 +123,7 @@ Eigen::Matrix2d FixModes::extra_position_covariance(const FixCandidate& candidat
   if (candidate.restart != Restart::kNone)
     return square(interval_.restart_sigma) * Eigen::Matrix2d::Identity();
   const Eigen::Matrix2d unseen =
-      square(receiver_.unseen_motion * interval_.usual_speed * interval_.duration) *
-      Eigen::Matrix2d::Identity();
+      square(receiver_.unseen_motion) * interval_.unseen_variance * Eigen::Matrix2d::Identity();
   if (!candidate.mode.slipping) return unseen;
   const Eigen::Vector2d along(std::cos(yaw), std::sin(yaw));
   return unseen + square(std::min(interval_.slip_distance, kMaxSlip)) * along * along.transpose();

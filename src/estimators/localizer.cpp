@@ -55,6 +55,7 @@ void Localizer::start(const std::optional<PosePrior>& prior) {
   history_.clear();
   fix_covariance_.clear();
   mirror_check_.clear();
+  standstill_ = {};
   told_.reset();
   frozen_.reset();
   waiting_.clear();
@@ -67,7 +68,8 @@ void Localizer::tune(ParameterVisitor& field) {
   fix_covariance_.set(parameters_.fix_covariance);
 }
 
-void Localizer::add(const OdometryIncrement& increment) {
+void Localizer::add(const OdometryIncrement& reported) {
+  const OdometryIncrement increment = standstill_.settled(reported);
   double from = increment.stamp - increment.duration;
   const auto advance = [&](double to) {
     if (to <= from) return;

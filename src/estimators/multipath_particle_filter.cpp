@@ -12,13 +12,9 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kMaxFlush = 1.2;             ///< odometry is linearised over at most this long [s]
-constexpr double kSpeedMemory = 10.0;         ///< over which the usual speed is averaged [s]
-constexpr double kSuspicion = 10.0;           ///< wheels that stand after a jump may be locked this long [s]
-constexpr double kMovedSinceFix = 0.02;       ///< less is a standing robot [m]
-constexpr double kSettledProbability = 0.95;  ///< of the canyon, and of one cluster in it
-constexpr double kMajority = 0.5;             ///< probability above which something is taken for so
-constexpr double kSettledYawSigma = 0.35;     ///< of the heading there [rad]
+constexpr double kMaxFlush = 1.2;               ///< odometry is linearised over at most this long [s]
+constexpr double kSpeedMemory = 10.0;           ///< over which the usual speed is averaged [s]
+constexpr double kMovedSinceFix = 0.02;         ///< less is a standing robot [m]
 constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
 
@@ -63,7 +59,9 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   odometry_jump_.add(u);
   distance_since_fix_ += std::abs(u.speed) * u.duration;
   if (!standing(u)) alignment_.add(u);
-  if (odometry_.duration() > kMaxFlush) flush_odometry();
+  if (odometry_.duration() <= kMaxFlush) return;
+  doubt_odometry();
+  flush_odometry();
 }
 
 void MultipathParticleFilter::flush_odometry() {
@@ -116,8 +114,9 @@ FixInterval MultipathParticleFilter::interval(const ReceiverClass& receiver, dou
   FixInterval result;
   result.duration = duration;
   result.moving = distance_since_fix_ > kMovedSinceFix;
-  result.usual_speed = usual_speed_;
-  result.slip_distance = result.moving ? distance_since_fix_ : usual_speed_ * duration;
+  result.unseen_variance = unseen_variance();
+  const double hidden_speed = suspected_for_ > 0.0 ? usual_speed_ : 0.0;
+  result.slip_distance = result.moving ? distance_since_fix_ : hidden_speed * duration;
   result.position_restart_rate = confirmed_ ? 0.0 : receiver.jump_rate;
   result.heading_restart_rate = confirmed_ ? parameters_.heading_restart_rate : receiver.jump_rate;
   result.restart_sigma = std::max(parameters_.restart_sigma, doubtful_bias());
@@ -129,8 +128,7 @@ FixInterval MultipathParticleFilter::interval(const ReceiverClass& receiver, dou
 void MultipathParticleFilter::weigh(const GnssFix& fix) {
   const double duration = std::max(0.0, now_ - last_fix_);
   const bool moving = distance_since_fix_ > kMovedSinceFix;
-  const bool suspect = odometry_jump_.take();
-  suspected_for_ = suspect ? kSuspicion : std::max(0.0, suspected_for_ - duration);
+  const bool suspect = suspect_wheels(duration);
   const double class_time = moving || suspected_for_ > 0.0 ? duration : 0.0;
   if (moving && duration > 0.0) {
     usual_speed_ += std::min(1.0, duration / kSpeedMemory) * (distance_since_fix_ / duration - usual_speed_);
@@ -138,19 +136,24 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
     alignment_.add(Eigen::Vector2d(fix.position - lever));
   }
   if (class_time > 0.0) update_confirmation();
-  RandomStream mixing(seed_, step_, kMixing);
-  PerClass entry = entry_probabilities(parameters_.classes, class_time);
-  if (suspect) entry[kWheelFault] = parameters_.odometry_jump.fault_probability;
-  mix_classes(particles_, parameters_.classes, entry, mixing);
+  change_classes(class_time, suspect);
   const std::vector<double> log_likelihood = sample_modes(fix, duration);
   reweigh(particles_, log_likelihood, std::min(1.0, class_time / parameters_.class_evidence_time));
   refresh_cluster();
+  doubt_steady_bias(moving ? duration : 0.0);
   RandomStream resampling(seed_, step_, kResampling);
   resample_banks(particles_, static_cast<std::size_t>(parameters_.particles), parameters_.class_floor,
                  parameters_.ess_fraction, resampling);
   ++step_;
-  last_fix_ = now_;
+  last_fix_ = doubted_until_ = now_;
   distance_since_fix_ = 0.0;
+}
+
+void MultipathParticleFilter::change_classes(double duration, bool suspect) {
+  PerClass entry = entry_probabilities(parameters_.classes, duration);
+  if (suspect) entry[kWheelFault] = parameters_.odometry_jump.fault_probability;
+  RandomStream mixing(seed_, step_, kMixing);
+  mix_classes(particles_, parameters_.classes, entry, mixing);
 }
 
 std::vector<double> MultipathParticleFilter::sample_modes(const GnssFix& fix, double duration) {
@@ -180,47 +183,6 @@ std::vector<double> MultipathParticleFilter::sample_modes(const GnssFix& fix, do
   return log_likelihood;
 }
 
-/// The bias of the dominant cluster where no street has one as large: it is rather the pose that is wrong.
-double MultipathParticleFilter::doubtful_bias() const {
-  const double bias = cluster_.belief.mean.tail<2>().norm();
-  const bool doubtful = bias > parameters_.largest_bias && class_probability_[kCanyon] < kMajority;
-  return doubtful ? bias : 0.0;
-}
-
-/// Whether the pose may be anywhere, outside a canyon, where that is usual.
-bool MultipathParticleFilter::scattered() const {
-  const double variance = cluster_.overall_position_covariance.trace();
-  return variance > square(parameters_.doubtful_sigma) && class_probability_[kCanyon] < kMajority;
-}
-
-/// The pose is to be found and confirmed anew.
-void MultipathParticleFilter::unconfirm() {
-  confirmed_ = false;
-  confirmed_over_ = settled_over_ = 0.0;
-}
-
-void MultipathParticleFilter::update_confirmation() {
-  if (class_probability_[kWheelFault] > kMajority) {
-    alignment_.clear();
-    return unconfirm();
-  }
-  if (doubtful_bias() > 0.0 || scattered()) return unconfirm();
-  double open_quiet = 0.0;
-  for (const BeliefParticle& particle : particles_) {
-    const bool quiet = !particle.mode.shadow && !particle.mode.noisy;
-    if (quiet && particle.receiver != kWheelFault) open_quiet += particle.weight;
-  }
-  const bool settled = class_probability_[kCanyon] > kSettledProbability &&
-                       cluster_.mass > kSettledProbability &&
-                       cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
-  const auto count = [this](double& distance, bool holds) {
-    distance = std::max(0.0, distance + (holds ? distance_since_fix_ : -distance_since_fix_));
-  };
-  count(confirmed_over_, open_quiet > parameters_.confirm_probability);
-  count(settled_over_, settled);
-  confirmed_ = confirmed_ || confirmed_over_ > parameters_.confirm_distance;
-}
-
 Belief MultipathParticleFilter::current_belief() const {
   Belief belief = cluster_.belief;
   belief.propagate(odometry_, parameters_.odometry);
@@ -244,7 +206,10 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   result.covariance = caution * belief.covariance.topLeftCorner<3, 3>();
   result.covariance.topLeftCorner<2, 2>() += floor;
   result.dominance = cluster_.mass;
-  result.position_covariance_overall = caution * cluster_.overall_position_covariance + floor;
+  const double wrong = steady_bias_.probability(parameters_.steady_bias);
+  const Eigen::Vector2d bias = belief.mean.tail<2>();
+  result.position_covariance_overall = caution * cluster_.overall_position_covariance + floor +
+                                       wrong * (1.0 - wrong) * bias * bias.transpose();
   result.shadow_probability = cluster_.shadow;
   result.canyon_probability = class_probability_[kCanyon];
   result.wheel_fault_probability = class_probability_[kWheelFault];

@@ -40,6 +40,7 @@ void MultipathParticleFilterParameters::tunable(ParameterVisitor& field) {
   field("unconfirmed_sigma", unconfirmed_sigma, {0.0, 100.0}, "m",
         "added instead until the pose is confirmed: it may have started in a shadow");
   field.group("odometry", odometry, "how far the wheel odometry can be trusted");
+  field.group("steady_bias", steady_bias, "when a bias of the fixes is rather an error of the pose");
   field.group("odometry_jump", odometry_jump, "when the wheel odometry is suspected of a fault");
 }
 

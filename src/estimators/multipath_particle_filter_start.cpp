@@ -32,6 +32,7 @@ void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
                               parameters_.alignment_variance_floor);
   odometry_jump_ = OdometryJump(parameters_.odometry_jump, parameters_.odometry);
   fix_check_.forget();
+  steady_bias_.clear();
   distance_since_fix_ = usual_speed_ = suspected_for_ = confirmed_over_ = settled_over_ = 0.0;
   confirmed_ = false;
   step_ = 0;
@@ -62,7 +63,7 @@ void MultipathParticleFilter::spread(Place place) {
     next[k] += 1.0;
   }
   ++step_;
-  last_fix_ = now_;
+  last_fix_ = doubted_until_ = now_;
   refresh_cluster();
 }
 

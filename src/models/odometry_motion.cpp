@@ -6,8 +6,6 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kStandstillYawRate = 0.1;  ///< [rad/s], above the bias and noise of a gyro
-
 double sinc_slope(double x) {
   return std::abs(x) < 1e-4 ? -x / 3.0 : (x * std::cos(x) - std::sin(x)) / (x * x);
 }
@@ -15,7 +13,7 @@ double sinc_slope(double x) {
 }  // namespace
 
 bool standing(const OdometryIncrement& u) {
-  return std::abs(u.speed) < kStandstillSpeed && std::abs(u.yaw_rate) < kStandstillYawRate;
+  return std::abs(u.speed) < kStandstillSpeed && u.yaw_rate == 0.0;
 }
 
 OdometryIncrement without_errors(const OdometryIncrement& u, const OdometerErrors& errors) {

@@ -29,11 +29,12 @@ namespace {
 constexpr double kHour = 3600.0;
 constexpr double kOdometryRate = 20.0;  ///< [Hz]
 constexpr int kOdometryPerFix = 10;
-constexpr std::size_t kUnderWay = 10;  ///< odometry sent without waiting for answers
-constexpr double kAnswerWithin = 2.0;  ///< [s]
-constexpr double kScale = 1.01;        ///< of the wheels
-constexpr double kGyroBias = 2e-3;     ///< [rad/s]
-constexpr double kRateNoise = 0.01;    ///< of speed [m/s] and yaw rate [rad/s]
+constexpr std::size_t kUnderWay = 10;        ///< odometry sent without waiting for answers
+constexpr double kAnswerWithin = 2.0;        ///< [s]
+constexpr double kOdometryAfterFixes = 1.0;  ///< at the end [s]
+constexpr double kScale = 1.01;              ///< of the wheels
+constexpr double kGyroBias = 2e-3;           ///< [rad/s]
+constexpr double kRateNoise = 0.01;          ///< of speed [m/s] and yaw rate [rad/s]
 
 struct SoakParameters {
   double hours = 24.0;
@@ -142,6 +143,7 @@ class Soak {
       show(stream_.time(), figures, process.resident_memory());
       sound = sound && figures.faulty == 0;
     }
+    use_up();
     std::printf("%zu fixes sent, %zu reported\n", sent_, reported_.load());
     return sound && sent_ == reported_;
   }
@@ -154,11 +156,27 @@ class Soak {
       fixes_.publish(fix);
       ++sent_;
     }
-    if (!step.odometry) return;
+    if (step.odometry) send_odometry(step, ahead);
+  }
+
+  void send_odometry(Stream::Step& step, const ros::Duration& ahead) {
     step.odometry->header.stamp += ahead;
     audit_.sent(step.odometry->header.stamp, stream_.truth());
     odometry_.publish(*step.odometry);
     audit_.wait_for(kUnderWay, kAnswerWithin);
+  }
+
+  /// A fix ahead of the odometry waits for it: drives on without fixes until the last one has its report.
+  void use_up() {
+    const double end = stream_.time() + kOdometryAfterFixes;
+    while (stream_.time() < end && ros::ok()) {
+      Stream::Step step = stream_.step();
+      step.fixes.clear();
+      send(std::move(step));
+    }
+    audit_.wait_for(0, kAnswerWithin);
+    const ros::WallTime patience = ros::WallTime::now() + ros::WallDuration(kAnswerWithin);
+    while (reported_ < sent_ && ros::WallTime::now() < patience) ros::WallDuration(0.01).sleep();
   }
 
   SoakParameters parameters_;

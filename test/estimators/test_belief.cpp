@@ -65,7 +65,7 @@ TEST(Belief, MovesAsTheOdometrySays) {
 
 TEST(Belief, AParkedRobotStaysAsItIs) {
   PreintegratedOdometry odometry{OdometryNoise{}};
-  for (int i = 1; i <= 100; ++i) odometry.add({0.1 * i, 0.1, 0.0, 0.02});
+  for (int i = 1; i <= 100; ++i) odometry.add({0.1 * i, 0.1, 0.0, 0.0});
   Belief belief = random_belief(4);
   const Belief before = belief;
   belief.propagate(odometry, OdometryNoise{});
@@ -136,6 +136,21 @@ TEST(Belief, RenewingForgetsOneStateAndNothingElse) {
   EXPECT_EQ(belief.mean.tail<2>(), Eigen::Vector2d::Zero());
   EXPECT_EQ((belief.covariance.bottomRightCorner<2, 2>()), 9.0 * Eigen::Matrix2d::Identity());
   EXPECT_EQ(belief.covariance.bottomLeftCorner(2, 5).norm(), 0.0);
+  EXPECT_TRUE(symmetric_positive(belief.covariance));
+}
+
+TEST(Belief, MovedByItsBiasItExpectsTheSameFixes) {
+  const Belief before = random_belief(4);
+  Belief belief = before;
+  belief.move_by_bias(0.04);
+  const FixPrediction was(before, kAntenna);
+  const FixPrediction is(belief, kAntenna);
+  EXPECT_LT((is.antenna - (was.antenna + was.bias)).norm(), 1e-12);
+  EXPECT_EQ(is.bias, Eigen::Vector2d::Zero());
+  const Eigen::Matrix2d sum = was.antenna_covariance + was.cross_covariance + was.bias_covariance;
+  EXPECT_LT((is.antenna_covariance - sum).norm(), 1e-12);
+  EXPECT_EQ(is.bias_covariance, 0.04 * Eigen::Matrix2d::Identity());
+  EXPECT_EQ(belief.mean(kYaw), before.mean(kYaw));
   EXPECT_TRUE(symmetric_positive(belief.covariance));
 }
 

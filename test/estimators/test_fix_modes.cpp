@@ -12,7 +12,7 @@ namespace {
 FixInterval driving(double duration) {
   FixInterval interval;
   interval.duration = duration;
-  interval.usual_speed = 2.0;
+  interval.unseen_variance = std::pow(2.0 * duration, 2);
   interval.slip_distance = 2.0 * duration;
   interval.moving = true;
   interval.position_restart_rate = 0.05;

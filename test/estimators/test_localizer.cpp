@@ -198,6 +198,16 @@ TEST_F(LocalizerTest, AStampThatIsNoNumberIsRefused) {
   EXPECT_TRUE(recorder->innovations.empty());
 }
 
+TEST_F(LocalizerTest, AGyroTurnsNoParkedRobotButASlowTurnOnTheSpotDoes) {
+  drive(60.0, 0.0, 0.01);
+  EXPECT_EQ(recorder->estimate_.pose.yaw, 0.0);
+  drive(20.0, 0.0, 0.03);
+  EXPECT_NEAR(recorder->estimate_.pose.yaw, 0.6, 0.05);
+  localizer->start(std::nullopt);
+  drive(kStep, 0.0, 0.01);
+  EXPECT_EQ(recorder->increments.back().yaw_rate, 0.0) << "nothing is left of the turn";
+}
+
 TEST_F(LocalizerTest, StartForgetsFixesThatWaited) {
   drive(1.0);
   localizer->add(Measurement(fix_at(now + 0.05)));

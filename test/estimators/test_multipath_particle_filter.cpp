@@ -307,27 +307,6 @@ TEST(MultipathParticleFilter, GrowsUnsureThroughAnOutageAndRecovers) {
   EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
 }
 
-TEST(MultipathParticleFilter, APoseThatMayBeAnywhereIsToBeConfirmedAnew) {
-  const auto aligned_after_a_stray_fix = [](double doubtful_sigma) {
-    MultipathParticleFilterParameters parameters;
-    parameters.doubtful_sigma = doubtful_sigma;
-    SimulatedDrive robot(1);
-    Localizer localizer(std::make_unique<MultipathParticleFilter>(parameters, 1), LocalizerParameters{});
-    localizer.start(std::nullopt);
-    robot.run(localizer, 60.0);
-    robot.receiving = false;
-    robot.run(localizer, 120.0);
-    EXPECT_TRUE(localizer.estimate().aligned);
-    robot.receiving = true;
-    robot.bias = [](double) { return Eigen::Vector2d(60.0, 0.0); };
-    robot.run(localizer, 0.4);
-    EXPECT_GT(localizer.estimate().position_covariance_overall.trace(), square(20.0));
-    return localizer.estimate().aligned;
-  };
-  EXPECT_TRUE(aligned_after_a_stray_fix(1e6));
-  EXPECT_FALSE(aligned_after_a_stray_fix(10.0));
-}
-
 TEST(MultipathParticleFilter, FixesTenThousandKilometresAwayGiveNumbersStill) {
   SimulatedDrive robot(5);
   Localizer localizer = default_localizer(1);

@@ -79,7 +79,7 @@ TEST(PseudorangeMotion, StandsStillWithStandingWheels) {
   RandomStream random(1, 0, 0);
   Pose2 pose{1.0, 2.0, 0.5};
   PseudorangeParticle particle;
-  move(pose, particle, {1.0, 0.5, 0.0, 0.01}, kTurning, {}, random);
+  move(pose, particle, {1.0, 0.5, 0.0, 0.0}, kTurning, {}, random);
   EXPECT_EQ(pose.x, 1.0);
   EXPECT_EQ(pose.yaw, 0.5);
   EXPECT_EQ(particle.height, 0.0);

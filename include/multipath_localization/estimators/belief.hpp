@@ -33,6 +33,9 @@ struct Belief {
   /// Forgets the bias: zero, with this variance an axis, uncorrelated with the rest.
   void renew_bias(double variance);
 
+  /// Holds the fixes right and the position wrong by the bias, which is renewed with this variance an axis.
+  void move_by_bias(double variance);
+
   /// Forgets one state: this value and variance, uncorrelated with the rest.
   void renew(StateIndex index, double value, double variance);
 };

@@ -24,7 +24,7 @@ class Estimator {
   /// Forgets everything and starts at the prior, or, without one, with position and heading unknown.
   virtual void start(const std::optional<PosePrior>& prior) = 0;
 
-  /// Moves on by one odometry increment.
+  /// Moves on by one odometry increment. A parked robot's has no yaw rate: see Standstill.
   virtual void predict(const OdometryIncrement& u) = 0;
 
   /// Weighs one measurement; kinds without a model are refused as `unused`.

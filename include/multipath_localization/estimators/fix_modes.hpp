@@ -38,7 +38,7 @@ using FixCandidates = std::array<FixCandidate, kFixCandidates>;
 struct FixInterval {
   double duration = 0.0;               ///< since the last fix [s]
   double slip_distance = 0.0;          ///< that slipping or locked wheels may have hidden since [m]
-  double usual_speed = 0.0;            ///< of the robot when its wheels turn [m/s]
+  double unseen_variance = 0.0;        ///< of motion at the usual speed that odometry has not told of [m^2]
   bool moving = false;                 ///< more than the noise of a standing robot
   double position_restart_rate = 0.0;  ///< [1/s]
   double heading_restart_rate = 0.0;   ///< [1/s]

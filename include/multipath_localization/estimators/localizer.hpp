@@ -15,6 +15,7 @@
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/estimators/receiver_covariance.hpp"
 #include "multipath_localization/models/mirror_check.hpp"
+#include "multipath_localization/models/standstill.hpp"
 
 namespace multipath_localization {
 
@@ -61,7 +62,7 @@ class Localizer {
 
   /// Takes an increment (finite, duration > 0, stamps increasing; the caller checks) and whatever
   /// measurements it was waited for.
-  void add(const OdometryIncrement& increment);
+  void add(const OdometryIncrement& reported);
 
   /// Takes a measurement.
   void add(const Measurement& measurement);
@@ -104,6 +105,7 @@ class Localizer {
   OdometryHistory history_;
   ReceiverCovariance fix_covariance_;
   MirrorCheck mirror_check_;
+  Standstill standstill_;
   std::deque<Measurement> waiting_;  ///< ahead of the odometry, by stamp
   std::vector<MeasurementReport> reports_;
   double now_ = 0.0;

@@ -9,6 +9,7 @@
 #include "multipath_localization/estimators/fix_check.hpp"
 #include "multipath_localization/estimators/hypothesis_banks.hpp"
 #include "multipath_localization/estimators/odometry_jump.hpp"
+#include "multipath_localization/estimators/steady_bias.hpp"
 
 namespace multipath_localization {
 
@@ -32,6 +33,7 @@ struct MultipathParticleFilterParameters {
   double unconfirmed_sigma = 2.0;
   OdometryNoise odometry;
   OdometryJumpParameters odometry_jump;
+  SteadyBiasParameters steady_bias;
   ReceiverClasses classes;
 
   void fields(ParameterVisitor& field);
@@ -70,10 +72,23 @@ class MultipathParticleFilter : public Estimator {
   /// Samples the mode of every hypothesis and corrects it by the fix; gives the log likelihood of each.
   std::vector<double> sample_modes(const GnssFix& fix, double duration);
   [[nodiscard]] FixInterval interval(const ReceiverClass& receiver, double duration) const;
+  /// Lets the class change, as it does within `duration` [s], and where the wheels are suspected.
+  void change_classes(double duration, bool suspect);
+
+  /// Takes note of a jump of the odometry, `duration` [s] after the last time; tells whether there was one.
+  bool suspect_wheels(double duration);
+  /// Without a fix: the odometry alone can show that the wheels fail, and nothing shows a slip.
+  void doubt_odometry();
+  /// Of position, where the wheels have failed: the way at the usual speed since the last fix that
+  /// `doubt_odometry` has not counted yet, squared [m^2].
+  [[nodiscard]] double unseen_variance() const;
   [[nodiscard]] double doubtful_bias() const;
   [[nodiscard]] bool scattered() const;
   void unconfirm();
   void update_confirmation();
+  /// Where the bias has been steady for too long, puts the hypotheses where the fixes are.
+  void doubt_steady_bias(double moving_time);
+
   void refresh_cluster();
   [[nodiscard]] Innovation innovation(const GnssFix& fix) const;
   [[nodiscard]] Belief current_belief() const;
@@ -89,10 +104,12 @@ class MultipathParticleFilter : public Estimator {
 
   PreintegratedOdometry odometry_;  ///< since the particles were last moved
   OdometryJump odometry_jump_;
+  SteadyBias steady_bias_;
   RigidAlignment alignment_;
   FixCheck fix_check_;
   double now_ = 0.0;
   double last_fix_ = 0.0;
+  double doubted_until_ = 0.0;  ///< the last fix, or `doubt_odometry` after it [s]
   double distance_since_fix_ = 0.0;
   double usual_speed_ = 0.0;     ///< of the last seconds in which the wheels turned [m/s]
   double suspected_for_ = 0.0;   ///< time left in which standing wheels may be locked [s]

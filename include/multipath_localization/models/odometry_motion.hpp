@@ -10,8 +10,8 @@ namespace multipath_localization {
 /// Wheels that turn no faster do not roll [m/s].
 inline constexpr double kStandstillSpeed = 0.01;
 
-/// True when the wheels stand: then nothing moves, turns or diffuses, and a gyro's bias does not turn a
-/// parked robot. Turning on the spot is no standstill.
+/// True when the wheels stand and there is no yaw rate at all: then nothing moves, turns or diffuses. What a
+/// gyro says of a parked robot is for Standstill to judge.
 bool standing(const OdometryIncrement& u);
 
 /// The slowly varying errors of an odometer: true speed = measured / (1 + speed_scale), true yaw rate =

@@ -41,7 +41,7 @@ class FixSequence {
  public:
   /// `delay`: a fix is of where the robot was that much before its stamp [s]. Fixes outside of the odometry
   /// are left out.
-  FixSequence(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes,
+  FixSequence(const std::vector<OdometryIncrement>& reported, const std::vector<GnssFix>& fixes,
               double delay);
 
   [[nodiscard]] Explanation explain(const SensorNoise& noise) const {

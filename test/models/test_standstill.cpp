@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include "multipath_localization/core/random.hpp"
+#include "multipath_localization/models/odometry_motion.hpp"
+#include "multipath_localization/models/standstill.hpp"
+
+namespace multipath_localization {
+namespace {
+
+constexpr double kStep = 0.02;
+
+/// Sum of the yaw rates that are left [rad], of `seconds` at this speed and yaw rate, with noise.
+double turned(Standstill& standstill, double seconds, double speed, double yaw_rate, double noise = 0.0) {
+  double turn = 0.0;
+  for (std::uint32_t i = 0; i * kStep < seconds; ++i) {
+    RandomStream random(1, i, 0);
+    const OdometryIncrement u{kStep * i, kStep, speed, yaw_rate + noise * random.normal()};
+    turn += standstill.settled(u).yaw_rate * kStep;
+  }
+  return turn;
+}
+
+TEST(Standstill, AGyroTurnsNoParkedRobot) {
+  Standstill standstill;
+  EXPECT_EQ(turned(standstill, 600.0, 0.0, 0.01), 0.0);
+  EXPECT_EQ(turned(standstill, 600.0, 0.005, 0.005, 0.01), 0.0);
+  EXPECT_TRUE(standing(standstill.settled({0.0, kStep, 0.0, 0.01})));
+}
+
+TEST(Standstill, ATurnOnTheSpotCountsHoweverSlow) {
+  Standstill slow, fast, left;
+  EXPECT_NEAR(turned(slow, 20.0, 0.0, 0.03, 0.01), 0.6, 0.05);
+  EXPECT_NEAR(turned(fast, 2.0, 0.0, 0.5), 1.0, 1e-9);
+  EXPECT_NEAR(turned(left, 20.0, 0.0, -0.06), -1.2, 0.02);
+}
+
+TEST(Standstill, SpeedAboutTheLimitLosesNothingOfATurn) {
+  Standstill standstill;
+  double turn = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const OdometryIncrement u{kStep * i, kStep, i % 2 == 0 ? 0.0 : 1.5 * kStandstillSpeed, 0.03};
+    turn += standstill.settled(u).yaw_rate * kStep;
+  }
+  EXPECT_NEAR(turn, 0.6, 0.02);
+}
+
+TEST(Standstill, SettlesAWholeDriveInOrder) {
+  const std::vector<OdometryIncrement> drive = {
+      {1.0, 1.0, 0.5, 0.01}, {2.0, 1.0, 0.0, 0.01}, {3.0, 1.0, 0.0, 0.3}};
+  const std::vector<OdometryIncrement> result = settled(drive);
+  ASSERT_EQ(result.size(), 3U);
+  EXPECT_EQ(result[0].yaw_rate, 0.01);
+  EXPECT_EQ(result[1].yaw_rate, 0.0);
+  EXPECT_EQ(result[2].yaw_rate, 0.3);
+}
+
+TEST(Standstill, ARobotThatDrivesStaysAsItIs) {
+  Standstill standstill;
+  EXPECT_NEAR(turned(standstill, 10.0, 0.5, 0.001), 0.01, 1e-12);
+  const OdometryIncrement u{3.0, kStep, -0.5, 0.001};
+  const OdometryIncrement settled = standstill.settled(u);
+  EXPECT_EQ(settled.speed, u.speed);
+  EXPECT_EQ(settled.stamp, u.stamp);
+  EXPECT_EQ(settled.duration, u.duration);
+}
+
+}  // namespace
+}  // namespace multipath_localization
