@@ -93,12 +93,12 @@ class Stream {
   SensorMessages sensors_;
 };
 
-/// What the clock of the stamps is ahead of the stream's [s].
-double leap(double time, double hours) {
+/// Brings a stamp of the stream's to the clock of stamps as it is at `time`.
+void leap(ros::Time& stamp, double time, double hours) {
   const double share = time / (hours * kHour);
-  if (share < 0.25) return 0.0;
-  const double half_the_time_before = 2147483648.0 - 0.5 * hours * kHour;
-  return half_the_time_before + (share >= 0.5 && share < 0.75 ? kHour : 0.0);
+  if (share < 0.25) return;
+  stamp += ros::Duration(2147483648.0 - 0.5 * hours * kHour);
+  if (share >= 0.5 && share < 0.75) stamp += ros::Duration(kHour);
 }
 
 void show(double time, const PoseAudit::Figures& figures, double memory) {
@@ -150,17 +150,13 @@ class Soak {
 
  private:
   void send(Stream::Step step) {
-    const ros::Duration ahead(leap(stream_.time(), parameters_.hours));
     for (sensor_msgs::NavSatFix& fix : step.fixes) {
-      fix.header.stamp += ahead;
+      leap(fix.header.stamp, stream_.time(), parameters_.hours);
       fixes_.publish(fix);
       ++sent_;
     }
-    if (step.odometry) send_odometry(step, ahead);
-  }
-
-  void send_odometry(Stream::Step& step, const ros::Duration& ahead) {
-    step.odometry->header.stamp += ahead;
+    if (!step.odometry) return;
+    leap(step.odometry->header.stamp, stream_.time(), parameters_.hours);
     audit_.sent(step.odometry->header.stamp, stream_.truth());
     odometry_.publish(*step.odometry);
     audit_.wait_for(kUnderWay, kAnswerWithin);

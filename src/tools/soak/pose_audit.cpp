@@ -41,12 +41,12 @@ void PoseAudit::sent(const ros::Time& stamp, const Pose2& truth) {
 
 void PoseAudit::answered(const nav_msgs::Odometry& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = open_.find(message.header.stamp);
-  if (found == open_.end()) return fault("an answer to nothing", message.header.stamp);
+  auto question = open_.extract(message.header.stamp);
+  if (!question) question = given_up_.extract(message.header.stamp);
+  if (!question) return fault("an answer to nothing", message.header.stamp);
   ++figures_.answered;
   silent_ = false;
-  compare(message, found->second);
-  open_.erase(found);
+  compare(message, question.mapped());
   answered_.notify_one();
 }
 
@@ -57,11 +57,13 @@ void PoseAudit::wait_for(std::size_t most, double timeout) {
   if (answered_.wait_for(lock, patience, few)) return;
   silent_ = true;
   figures_.unanswered += open_.size();
+  given_up_.merge(open_);
   open_.clear();
 }
 
 PoseAudit::Figures PoseAudit::take_figures() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  given_up_.clear();
   return std::exchange(figures_, {});
 }
 

@@ -26,7 +26,7 @@ class PoseAudit {
 
   struct Figures {
     std::size_t answered = 0;
-    std::size_t unanswered = 0;
+    std::size_t unanswered = 0;  ///< within the timeout
     double square_sum = 0.0;      ///< of errors of position [m^2]
     double largest = 0.0;         ///< error of position [m]
     double longest_beyond = 0.0;  ///< time on end outside 3 sigma [s]
@@ -43,6 +43,7 @@ class PoseAudit {
   std::mutex mutex_;
   std::condition_variable answered_;
   std::map<ros::Time, Pose2> open_;
+  std::map<ros::Time, Pose2> given_up_;  ///< of late, an answer may come yet
   bool silent_ = false;
   Figures figures_;
   ros::Time inside_;  ///< the last pose within 3 sigma
