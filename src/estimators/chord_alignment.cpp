@@ -48,6 +48,10 @@ void ChordAlignment::start(const std::optional<PosePrior>& prior) {
   state_.covariance.topLeftCorner<3, 3>() = prior->covariance;
   started_ = true;
   aligned_ = prior->covariance(2, 2) <= square(kWidestPriorYaw);
+  if (aligned_) return;
+  // From here the position follows the fixes, whatever the heading.
+  state_.covariance.block<2, 1>(0, kYaw).setZero();
+  state_.covariance.block<1, 2>(kYaw, 0).setZero();
 }
 
 void ChordAlignment::predict(const OdometryIncrement& u) {

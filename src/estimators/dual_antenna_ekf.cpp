@@ -77,6 +77,10 @@ void DualAntennaEkf::start(const std::optional<PosePrior>& prior) {
   belief_.covariance = prior->covariance;
   const bool wide = prior->covariance(kYaw, kYaw) > square(parameters_.alignment_yaw_sigma);
   phase_ = wide ? Phase::kFollowing : Phase::kTracking;
+  if (!wide) return;
+  // From here the position follows the fixes, whatever the heading.
+  belief_.covariance.block<2, 1>(kX, kYaw).setZero();
+  belief_.covariance.block<1, 2>(kYaw, kX).setZero();
 }
 
 void DualAntennaEkf::predict(const OdometryIncrement& u) {

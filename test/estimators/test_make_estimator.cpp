@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -36,6 +38,22 @@ TEST_P(EveryEstimator, LoadsItsOwnDescription) {
 
 TEST_P(EveryEstimator, RefusesUnknownKeysByName) {
   EXPECT_NE(message_of(GetParam(), YAML::Load("particels: 10")).find("particels"), std::string::npos);
+}
+
+TEST_P(EveryEstimator, APriorOfOneLongAxisAndAnyHeadingStaysACovariance) {
+  const auto filter = make_estimator(GetParam(), YAML::Node(), 1);
+  for (const double yaw_variance : {0.01, 0.5, 3.0, 1e6}) {
+    PosePrior prior;
+    prior.stamp = 1.0;
+    const double correlated = 0.99 * std::sqrt(100.0 * yaw_variance);
+    prior.covariance << 100.0, 0.0, correlated, 0.0, 0.01, 0.0, correlated, 0.0, yaw_variance;
+    filter->start(prior);
+    for (int i = 1; i <= 3; ++i) filter->predict({1.0 + 0.1 * i, 0.1, 1.0, 0.1});
+    const PoseEstimate estimate = filter->estimate();
+    if (!estimate.valid) continue;
+    EXPECT_EQ(estimate.covariance.llt().info(), Eigen::Success) << yaw_variance;
+    EXPECT_TRUE(estimate.covariance.isApprox(estimate.covariance.transpose(), 1e-12)) << yaw_variance;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(ByName, EveryEstimator, ::testing::ValuesIn(estimator_names()),
