@@ -26,7 +26,7 @@ class PoseAudit {
 
   struct Figures {
     std::size_t answered = 0;
-    std::size_t unanswered = 0;  ///< within the timeout
+    std::size_t unanswered = 0;   ///< within the timeout
     double square_sum = 0.0;      ///< of errors of position [m^2]
     double largest = 0.0;         ///< error of position [m]
     double longest_beyond = 0.0;  ///< time on end outside 3 sigma [s]
