@@ -63,6 +63,20 @@ TEST(Belief, MovesAsTheOdometrySays) {
   EXPECT_EQ(belief.mean.tail<4>(), before.tail<4>());
 }
 
+TEST(Belief, KeepsTheHeadingOnTheCircle) {
+  Belief belief;
+  for (int turn = 0; turn < 3; ++turn) {
+    PreintegratedOdometry odometry{OdometryNoise{}};
+    for (int i = 1; i <= 50; ++i) odometry.add({0.1 * i, 0.1, 1.0, 1.0});
+    belief.propagate(odometry, OdometryNoise{});
+    EXPECT_NEAR(belief.mean(kYaw), wrap_angle(5.0 * (turn + 1)), 1e-9);
+  }
+  belief.mean(kYaw) = 3.1;
+  belief.covariance.setIdentity();
+  belief.correct(belief.pose() * kAntenna + Eigen::Vector2d(0.1, -1.0), kAntenna, 0.01);
+  EXPECT_LT(belief.mean(kYaw), kPi);
+}
+
 TEST(Belief, AParkedRobotStaysAsItIs) {
   PreintegratedOdometry odometry{OdometryNoise{}};
   for (int i = 1; i <= 100; ++i) odometry.add({0.1 * i, 0.1, 0.0, 0.0});

@@ -12,6 +12,11 @@ TEST(CheckFrames, FindEmptyAndSlashedFramesOfFixes) {
   EXPECT_TRUE(ToFix(check_frames(seen), "header.frame_id is empty", "antenna: [X, Y]"));
   seen.fixes[0].message.header.frame_id = "/gps";
   EXPECT_TRUE(ToFix(check_frames(seen), "is /gps", "frame_id: gps"));
+  for (const char* frame : {"map", "/map", "odom"}) {
+    seen.fixes[0].message.header.frame_id = frame;
+    EXPECT_TRUE(ToFix(check_frames(seen), "does not ride on the robot", "frame_id: gps"));
+    EXPECT_TRUE(Passes(check_antenna(seen)));
+  }
 }
 
 TEST(CheckFrames, NameTheParameterForOtherFramesOfOdometry) {

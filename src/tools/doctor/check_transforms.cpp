@@ -61,9 +61,18 @@ Finding frame_of(const std::string& what, const std::string& frame, const std::s
   return pass(what + " is " + frame);
 }
 
+/// A frame that stays where it is while the robot drives.
+bool is_fixed(const Observations& seen, const std::string& frame) {
+  return frame == seen.frames.map_frame || frame == seen.frames.odom_frame;
+}
+
 Finding frame_of_fix(const Observations& seen, const std::string& frame) {
   if (frame.empty()) {
     return fix("fix: header.frame_id is empty, so the antenna is taken to be at the base",
+               "in the receiver's driver: frame_id: gps, and " + place_antenna(seen, "gps"));
+  }
+  if (is_fixed(seen, without_slash(frame))) {
+    return fix("fix: header.frame_id is " + frame + ": that does not ride on the robot, the antenna does",
                "in the receiver's driver: frame_id: gps, and " + place_antenna(seen, "gps"));
   }
   if (frame.front() == '/') {
@@ -186,7 +195,7 @@ Findings check_antenna(const Observations& seen) {
   Findings all;
   for (std::string frame : names(seen.fixes, [](const auto& m) { return m.header.frame_id; })) {
     frame = without_slash(frame);
-    if (!frame.empty()) all.push_back(antenna_in(seen, frame));
+    if (!frame.empty() && !is_fixed(seen, frame)) all.push_back(antenna_in(seen, frame));
   }
   return all;
 }
