@@ -70,7 +70,6 @@ Innovation GatedEkf::track(const GnssFix& fix, const Eigen::Matrix2d& R) {
   }
   rejections_.end();
   kalman::correct<kSize, 2>(belief, y, H, R);
-  belief.mean(kYaw) = wrap_angle(belief.mean(kYaw));
   result.reason = Reason::kAccepted;
   return result;
 }

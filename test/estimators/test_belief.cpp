@@ -18,7 +18,8 @@ PreintegratedOdometry some_odometry() {
 
 TEST(Belief, PropagatesItsCovarianceByTheDerivativeOfItsMean) {
   const PreintegratedOdometry odometry = some_odometry();
-  const OdometryNoise noise;
+  OdometryNoise noise;
+  noise.scale_walk = noise.gyro_bias_walk = 0.01;
   constexpr double kDelta = 1e-6;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Belief start = random_belief(seed);
