@@ -73,6 +73,7 @@ void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
   }
   pose_ = to_pose2(message.pose.pose).value_or(Pose2{kNaN, kNaN, kNaN});
   pose_stamp_ = message.header.stamp;
+  pose_arrived_ = ros::WallTime::now();
   drive();
 }
 
@@ -129,7 +130,10 @@ void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
 }
 
 double SteeringNode::pose_age(const ros::Time& now) const {
-  return pose_stamp_.isZero() ? kNaN : (now - pose_stamp_).toSec();
+  if (pose_stamp_.isZero()) return kNaN;
+  const double age = (now - pose_stamp_).toSec();
+  const double silence = (ros::WallTime::now() - pose_arrived_).toSec();
+  return silence > std::abs(age) ? silence : age;
 }
 
 void SteeringNode::watch() {

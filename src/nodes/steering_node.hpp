@@ -43,6 +43,8 @@ class SteeringNode {
   void drive();
   void publish(const MotionCommand& command, const ros::Time& now);
   void report(const std::string& status);
+  /// By its stamp, or, where that is longer, since it arrived: a clock that stands still ages nothing. NaN
+  /// without a pose.
   [[nodiscard]] double pose_age(const ros::Time& now) const;
 
   SteeringNodeParameters parameters_;
@@ -52,6 +54,7 @@ class SteeringNode {
   WaypointMission mission_;
   Pose2 pose_;
   ros::Time pose_stamp_;  ///< zero before the first pose
+  ros::WallTime pose_arrived_;
   Trust trust_ = Trust::kNotReady;
   std::string status_;
   double progress_ = -1.0;
