@@ -7,7 +7,6 @@
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/models/odometry_motion.hpp"
 #include "multipath_localization/models/preintegrated_odometry.hpp"
-#include "multipath_localization/models/standstill.hpp"
 
 namespace multipath_localization {
 
@@ -45,9 +44,8 @@ Eigen::Vector2d turned_left(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; 
 
 }  // namespace
 
-FixSequence::FixSequence(const std::vector<OdometryIncrement>& reported, const std::vector<GnssFix>& fixes,
+FixSequence::FixSequence(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes,
                          double delay) {
-  const std::vector<OdometryIncrement> odometry = settled(reported);
   if (odometry.empty()) return;
   std::size_t next = 0;
   double now = odometry.front().stamp - odometry.front().duration;

@@ -39,9 +39,9 @@ struct Explanation {
 /// asked how far it got.
 class FixSequence {
  public:
-  /// `delay`: a fix is of where the robot was that much before its stamp [s]. Fixes outside of the odometry
-  /// are left out.
-  FixSequence(const std::vector<OdometryIncrement>& reported, const std::vector<GnssFix>& fixes,
+  /// `delay`: a fix is of where the robot was that much before its stamp [s]. Fixes outside of the odometry,
+  /// which is to be settled, are left out.
+  FixSequence(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes,
               double delay);
 
   [[nodiscard]] Explanation explain(const SensorNoise& noise) const {

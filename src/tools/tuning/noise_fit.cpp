@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "multipath_localization/models/standstill.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -150,7 +152,8 @@ Told fit_delay(const std::vector<OdometryIncrement>& odometry, const std::vector
 
 bool Told::told() const { return low_told && high_told && value < kTold * low && high < kTold * value; }
 
-NoiseFit fit_noise(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes) {
+NoiseFit fit_noise(const std::vector<OdometryIncrement>& reported, const std::vector<GnssFix>& fixes) {
+  const std::vector<OdometryIncrement> odometry = settled(reported);
   NoiseFit fit;
   const FixSequence undelayed(odometry, fixes, 0.0);
   fit.fixes = undelayed.size();

@@ -37,6 +37,6 @@ struct NoiseFit {
 };
 
 /// Fits the noise by maximum likelihood. Fixes by stamp, in open sky; too few give a fit that tells nothing.
-NoiseFit fit_noise(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes);
+NoiseFit fit_noise(const std::vector<OdometryIncrement>& reported, const std::vector<GnssFix>& fixes);
 
 }  // namespace multipath_localization
