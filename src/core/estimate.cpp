@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/trust.hpp"
 
 namespace multipath_localization {
@@ -36,7 +37,7 @@ std::string_view to_string(Reason reason) {
 }
 
 Eigen::Matrix3d covariance_overall(const PoseEstimate& estimate) {
-  Eigen::Matrix3d covariance = 0.5 * (estimate.covariance + estimate.covariance.transpose());
+  Eigen::Matrix3d covariance = symmetric<3>(estimate.covariance);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> wider;
   wider.computeDirect(estimate.position_covariance_overall - covariance.topLeftCorner<2, 2>());
   for (int i = 0; i < 2; ++i) {

@@ -2,21 +2,16 @@
 
 #include <cmath>
 
+#include "multipath_localization/core/covariance.hpp"
+#include "multipath_localization/core/numbers.hpp"
+
 namespace multipath_localization {
 
 namespace {
 
 constexpr double kLargest = 1e8;
-constexpr double kRounding = 1e-6;
-
 bool valid_covariance(const Eigen::Matrix2d& covariance) {
-  const double scale = covariance.cwiseAbs().maxCoeff();
-  if (scale >= kLargest) return false;
-  const double slack = kRounding * scale;
-  const double correlated = 0.5 * (covariance(0, 1) + covariance(1, 0));
-  return covariance(0, 0) >= 0.0 && covariance(1, 1) >= 0.0 &&
-         std::abs(covariance(0, 1) - covariance(1, 0)) <= slack &&
-         correlated * correlated <= covariance(0, 0) * covariance(1, 1) + slack * scale;
+  return covariance.cwiseAbs().maxCoeff() < kLargest && positive_semi_definite(covariance);
 }
 
 }  // namespace
@@ -35,9 +30,10 @@ std::optional<Reason> defect(const GnssFix& fix) {
 }
 
 bool usable(const PosePrior& prior) {
-  return std::isfinite(prior.stamp) && prior.pose.finite() && prior.covariance.allFinite() &&
-         prior.covariance.diagonal().minCoeff() > 0.0 &&
-         prior.covariance.isApprox(prior.covariance.transpose(), kRounding);
+  const Eigen::Vector3d pose(prior.pose.x, prior.pose.y, prior.pose.yaw);
+  return std::isfinite(prior.stamp) && pose.allFinite() && pose.cwiseAbs().maxCoeff() <= kFurthest &&
+         prior.covariance.allFinite() && prior.covariance.cwiseAbs().maxCoeff() <= square(kFurthest) &&
+         prior.covariance.diagonal().minCoeff() > 0.0 && positive_semi_definite(prior.covariance);
 }
 
 bool usable(const OdometryIncrement& u) {

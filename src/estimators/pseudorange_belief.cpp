@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/instruction_set.hpp"
 #include "multipath_localization/core/numbers.hpp"
 
@@ -116,8 +117,7 @@ void PseudorangeBelief::add_noise(const PreintegratedOdometry& odometry, const E
   P(kDrift, kDrift) += square(noise.drift_walk) * dt;
   // Rounding is to leave P symmetric. Only these rows and columns were changed apart.
   P.leftCols<kFixed>() = P.topRows<kFixed>().transpose().eval();
-  P.topLeftCorner<kFixed, kFixed>() =
-      (0.5 * (P.topLeftCorner<kFixed, kFixed>() + P.topLeftCorner<kFixed, kFixed>().transpose())).eval();
+  P.topLeftCorner<kFixed, kFixed>() = symmetric<kFixed>(P.topLeftCorner<kFixed, kFixed>());
 }
 
 PseudorangeBelief::Vector PseudorangeBelief::covariance_with(const SparseRow& H) const {

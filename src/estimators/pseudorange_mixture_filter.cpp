@@ -25,6 +25,21 @@ constexpr double kUnsettle = 0.8;         // mass of the cluster that ends an al
 constexpr std::size_t kCloud = 200;
 constexpr double kAgreementTime = 4.0;  // single epochs do not make a doubt [s]
 
+/// GPS's clock is the reference.
+bool has_offset(Constellation constellation) { return constellation != Constellation::kGps; }
+
+/// Offsets first: without its constellation's a satellite is of no use.
+std::vector<SlotOwner> owners_of(const std::vector<SatelliteObservation>& observations) {
+  std::vector<SlotOwner> owners;
+  for (const SatelliteObservation& observation : observations) {
+    if (has_offset(observation.constellation)) owners.push_back({observation.constellation, std::nullopt});
+  }
+  for (const SatelliteObservation& observation : observations) {
+    owners.push_back({observation.constellation, observation.satellite});
+  }
+  return owners;
+}
+
 }  // namespace
 
 PseudorangeMixtureFilter::PseudorangeMixtureFilter(const PseudorangeMixtureFilterParameters& parameters,
@@ -86,7 +101,8 @@ Innovation PseudorangeMixtureFilter::update(const Measurement& z) {
 Innovation PseudorangeMixtureFilter::weigh(const PseudorangeEpoch& epoch) {
   flush_odometry();
   const SlottedEpoch slotted_epoch = slotted(epoch);
-  if (!has_clock_ && !seed(slotted_epoch, parameters_.hypotheses, 1.0)) {
+  const bool seen = !slotted_epoch.satellites.empty();
+  if (!seen || (!has_clock_ && !seed(slotted_epoch, parameters_.hypotheses, 1.0))) {
     if (!bank_.empty()) refresh();
     return refused(Reason::kTooFewSatellites);
   }
@@ -96,7 +112,7 @@ Innovation PseudorangeMixtureFilter::weigh(const PseudorangeEpoch& epoch) {
   refresh();
   update_agreement(slotted_epoch);
   update_alignment();
-  while (const auto slot = slots_.stale(last_.stamp - parameters_.slot_time)) release(*slot);
+  follow(slots_.retire(last_.stamp - parameters_.slot_time));
   last_epoch_ = last_.stamp;
   moved_ = 0.0;
   ++step_;
@@ -115,20 +131,18 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
   result.bias_variance = square(parameters_.receiver.bias_sigma);
   result.speed = last_.speed;
   result.yaw_rate = last_.yaw_rate;
-  for (const SatelliteObservation& observation : usable_observations(epoch)) {
+  const std::vector<SatelliteObservation> observations = usable_observations(epoch);
+  follow(slots_.admit(owners_of(observations), last_.stamp));
+  for (const SatelliteObservation& observation : observations) {
+    const auto bias = slots_.find({observation.constellation, observation.satellite});
+    const auto offset = slots_.find({observation.constellation, std::nullopt});
+    const bool with_offset = has_offset(observation.constellation);
+    if (!bias || (with_offset && !offset)) continue;
     SlottedObservation satellite;
     satellite.observation = observation;
     satellite.prior = line_of_sight_prior(observation, parameters_.errors.mixture);
     satellite.delay = mean_nlos_delay(observation.elevation, parameters_.errors.mixture);
-    if (observation.constellation != Constellation::kGps) {
-      const auto offset =
-          slot_of({observation.constellation, std::nullopt}, square(parameters_.receiver.offset_sigma));
-      if (!offset) continue;
-      satellite.offset_slot = *offset;
-    }
-    const auto bias =
-        slot_of({observation.constellation, observation.satellite}, square(parameters_.receiver.bias_sigma));
-    if (!bias) continue;
+    if (with_offset) satellite.offset_slot = *offset;
     satellite.bias_slot = *bias;
     result.satellites.push_back(satellite);
   }
@@ -138,20 +152,20 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
   return result;
 }
 
-std::optional<int> PseudorangeMixtureFilter::slot_of(const SlotOwner& owner, double variance) {
-  if (const auto slot = slots_.find(owner, last_.stamp)) return slot;
-  if (slots_.full()) {
-    const auto stale = slots_.stale(last_.stamp);
-    if (!stale) return std::nullopt;
-    release(*stale);
+void PseudorangeMixtureFilter::follow(const std::vector<SatelliteSlots::Change>& changes) {
+  for (const SatelliteSlots::Change& change : changes) {
+    for (PseudorangeHypothesis& hypothesis : bank_) {
+      if (change.removed) {
+        hypothesis.remove(*change.removed);
+      } else {
+        hypothesis.append(unknown_variance(change.appended));
+      }
+    }
   }
-  for (PseudorangeHypothesis& hypothesis : bank_) hypothesis.append(variance);
-  return slots_.append(owner, last_.stamp);
 }
 
-void PseudorangeMixtureFilter::release(int slot) {
-  for (PseudorangeHypothesis& hypothesis : bank_) hypothesis.remove(slot);
-  slots_.remove(slot);
+double PseudorangeMixtureFilter::unknown_variance(const SlotOwner& owner) const {
+  return square(owner.satellite ? parameters_.receiver.bias_sigma : parameters_.receiver.offset_sigma);
 }
 
 void PseudorangeMixtureFilter::update_agreement(const SlottedEpoch& epoch) {

@@ -48,9 +48,7 @@ PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeS
   hypothesis.belief.mean(State::kClock) = seed.clock;
   for (int slot = 0; slot < slots_.size(); ++slot) {
     const SlotOwner& owner = slots_.owner(slot);
-    const double sigma =
-        owner.satellite ? parameters_.receiver.bias_sigma : parameters_.receiver.offset_sigma;
-    if (State::state_of(slot) == hypothesis.belief.mean.size()) hypothesis.append(square(sigma));
+    if (State::state_of(slot) == hypothesis.belief.mean.size()) hypothesis.append(unknown_variance(owner));
     if (owner.satellite) continue;
     hypothesis.belief.mean(State::state_of(slot)) =
         seed.offset[static_cast<std::size_t>(owner.constellation)];

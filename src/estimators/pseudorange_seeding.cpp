@@ -17,7 +17,8 @@ namespace {
 constexpr int kUnknowns = 4 + kConstellations;  // east, north, up, clock, offsets
 constexpr int kIterations = 3;
 constexpr std::size_t kLeastSubset = 6;
-constexpr double kFarSigma = 1e3;  // of an unknown position about the plain solution [m]
+constexpr double kFarSigma = 1e3;          // of an unknown position about the plain solution [m]
+constexpr double kLeastPriorSigma = 0.01;  // of a known one [m]
 
 using Vector = Eigen::Matrix<double, kUnknowns, 1>;
 using Matrix = Eigen::Matrix<double, kUnknowns, kUnknowns>;
@@ -45,7 +46,8 @@ Information information(const PseudorangeSolution& plain, const std::optional<An
   known.matrix(4, 4) = 1e6;  // GPS is the reference
   if (prior) {
     known.mean.head<2>() = prior->position;
-    known.matrix.topLeftCorner<2, 2>() = prior->covariance.inverse();
+    const Eigen::Matrix2d rounding = square(kLeastPriorSigma) * Eigen::Matrix2d::Identity();
+    known.matrix.topLeftCorner<2, 2>() = (prior->covariance + rounding).inverse();
   }
   return known;
 }

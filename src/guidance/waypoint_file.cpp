@@ -47,12 +47,20 @@ struct Place {
   }
 };
 
+/// What `point` is that cannot be driven to; empty when it can.
+std::string fault_of(const Eigen::Vector2d& point, bool on_earth) {
+  if (!point.allFinite()) return "not finite";
+  if (on_earth) return valid(Geodetic{point.x(), point.y()}) ? "" : "no place on the Earth";
+  if (point.lpNorm<Eigen::Infinity>() <= kFarthestWaypoint) return "";
+  return "farther than " + std::to_string(std::lround(kFarthestWaypoint / 1e3)) + " km from map's origin";
+}
+
 void append(WaypointList& list, const Eigen::Vector2d& point, const Place& place) {
   if (list.points.size() == kMostWaypoints) {
     throw place.error("more than " + std::to_string(kMostWaypoints) + " waypoints");
   }
   const std::string fault = fault_of(point, list.on_earth);
-  if (!fault.empty()) throw place.error(fault);
+  if (!fault.empty()) throw place.error("a waypoint is " + fault);
   list.points.push_back(point);
 }
 
@@ -139,19 +147,16 @@ WaypointList read_yaml(const std::string& file, std::istream& text) {
 
 }  // namespace
 
-std::string fault_of(const Eigen::Vector2d& point, bool on_earth) {
-  if (!point.allFinite()) return "a waypoint is not finite";
-  if (on_earth) return valid(Geodetic{point.x(), point.y()}) ? "" : "there is no such place on the Earth";
-  if (point.lpNorm<Eigen::Infinity>() <= kFarthestWaypoint) return "";
-  return "farther than " + std::to_string(std::lround(kFarthestWaypoint / 1e3)) + " km from map's origin";
-}
-
 std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::optional<LocalFrame>& map) {
-  if (!waypoints.on_earth) return waypoints.points;
-  if (!map) throw std::invalid_argument(kNoOrigin);
+  const std::size_t count = waypoints.points.size();
+  if (count > kMostWaypoints) {
+    throw std::invalid_argument(std::to_string(count) + " are more than " + std::to_string(kMostWaypoints));
+  }
+  if (waypoints.on_earth && !map) throw std::invalid_argument(kNoOrigin);
   std::vector<Eigen::Vector2d> points;
   for (const Eigen::Vector2d& point : waypoints.points) {
-    points.push_back(map->to_map({point.x(), point.y(), map->datum().altitude}));
+    const auto on_map = [&] { return map->to_map({point.x(), point.y(), map->datum().altitude}); };
+    points.push_back(waypoints.on_earth ? on_map() : point);
     const std::string fault = fault_of(points.back(), false);
     if (!fault.empty()) {
       throw std::invalid_argument("waypoint " + std::to_string(points.size()) + " is " + fault);
@@ -162,7 +167,7 @@ std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::op
 
 void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::optional<LocalFrame>& map) {
   const std::string fault = fault_of(in_map, false);
-  if (!fault.empty()) throw std::invalid_argument(fault);
+  if (!fault.empty()) throw std::invalid_argument("the point is " + fault);
   if (waypoints.points.size() >= kMostWaypoints) throw std::invalid_argument("there are too many waypoints");
   if (waypoints.points.empty()) waypoints.on_earth = map.has_value();
   if (!waypoints.on_earth) {

@@ -2,12 +2,13 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "multipath_localization/core/covariance.hpp"
+
 namespace multipath_localization {
 
 namespace {
 
 constexpr double kLeastBaseline = 0.01;  ///< antennas nearer than this tell no heading [m]
-constexpr double kRounding = 1e-9;
 
 Eigen::Vector2d across(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
@@ -63,12 +64,10 @@ PoseError::PoseError(const PoseErrorParameters& parameters) {
   }
   mean = Eigen::Vector3d(parameters.mean.data());
   covariance = Eigen::Matrix3d(parameters.covariance.data());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
-  const double slack = kRounding * covariance.cwiseAbs().maxCoeff();
-  if ((covariance - covariance.transpose()).cwiseAbs().maxCoeff() > slack ||
-      axes.eigenvalues().minCoeff() < -slack) {
+  if (!positive_semi_definite(covariance)) {
     throw ParameterError("covariance of a pose error is not symmetric positive semi-definite");
   }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
   root = axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 

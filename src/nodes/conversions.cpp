@@ -1,18 +1,17 @@
 #include "nodes/conversions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "multipath_localization/filters/kalman.hpp"
+#include "multipath_localization/core/covariance.hpp"
+#include "multipath_localization/estimators/fix_check.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
 const Eigen::Vector3d kDefaultPoseSigmas(0.5, 0.5, kPi / 12.0);  ///< x, y, yaw as amcl starts from
-constexpr double kFurthestPose = 1e7;
 constexpr std::size_t kLongestFrame = 256;
 constexpr double kShortestBaseline = 0.01;
 constexpr std::size_t kX = 0, kY = 7, kYaw = 35, kXY = 1, kXYaw = 5, kYYaw = 11;       ///< in a row-major 6x6
@@ -30,15 +29,6 @@ Eigen::Matrix2d horizontal(const sensor_msgs::NavSatFix& message) {
   return (Eigen::Matrix2d() << covariance[kEast], full ? covariance[kEastNorth] : 0.0,
           full ? covariance[kNorthEast] : 0.0, covariance[kNorth])
       .finished();
-}
-
-template <class Matrix>
-bool positive_semi_definite(const Matrix& covariance) {
-  const double largest = covariance.diagonal().maxCoeff();
-  const double rounding = 1e-6 * largest;
-  if ((covariance - covariance.transpose()).cwiseAbs().maxCoeff() > rounding) return false;
-  return Eigen::SelfAdjointEigenSolver<Matrix>(covariance, Eigen::EigenvaluesOnly).eigenvalues()[0] >=
-         -rounding;
 }
 
 bool usable_covariance(const sensor_msgs::NavSatFix& message, double largest_sigma) {
@@ -101,7 +91,7 @@ CheckedFix to_fix(const sensor_msgs::NavSatFix& message, const LocalFrame& map,
   checked.fix.covariance =
       declares_none(message)
           ? Eigen::Matrix2d(Eigen::Matrix2d::Identity() * std::pow(parameters.default_sigma, 2))
-          : kalman::symmetric<2>(horizontal(message));
+          : symmetric<2>(horizontal(message));
   if (!(checked.fix.position.norm() <= parameters.reach)) checked.reason = Reason::kInvalidPosition;
   return checked;
 }
@@ -142,7 +132,7 @@ std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose) {
   const geometry_msgs::Point& p = pose.position;
   const geometry_msgs::Quaternion& q = pose.orientation;
   for (const double coordinate : {p.x, p.y, p.z}) {
-    if (!(std::abs(coordinate) <= kFurthestPose)) return {};
+    if (!(std::abs(coordinate) <= kFurthest)) return {};
   }
   const double norm = Eigen::Vector4d(q.x, q.y, q.z, q.w).norm();
   if (norm == 0.0) return Pose2{p.x, p.y, 0.0};
@@ -157,13 +147,6 @@ geometry_msgs::Pose to_message(const Pose2& pose) {
   message.orientation.z = std::sin(0.5 * pose.yaw);
   message.orientation.w = std::cos(0.5 * pose.yaw);
   return message;
-}
-
-bool usable(const PosePrior& prior) {
-  const Eigen::Vector3d pose(prior.pose.x, prior.pose.y, prior.pose.yaw);
-  return pose.allFinite() && pose.cwiseAbs().maxCoeff() <= kFurthestPose && prior.covariance.allFinite() &&
-         prior.covariance.cwiseAbs().maxCoeff() <= kFurthestPose * kFurthestPose &&
-         prior.covariance.diagonal().minCoeff() > 0.0 && positive_semi_definite(prior.covariance);
 }
 
 std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message) {

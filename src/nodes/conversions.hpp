@@ -100,13 +100,9 @@ double declared_sigma(const sensor_msgs::NavSatFix& message);
 
 /// x, y and yaw of a pose in space. A quaternion of four zeros, as drivers leave it that fill in no pose, is
 /// no turn. Nothing when a number is not finite, the quaternion is not of length one or the position is over
-/// 1e7 m.
+/// kFurthest.
 std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose);
 geometry_msgs::Pose to_message(const Pose2& pose);
-
-/// Whether an estimator can start from it: numbers are finite and up to 1e7 (m, rad), variances above zero
-/// and up to the square of that, and the covariance is positive semi-definite.
-bool usable(const PosePrior& prior);
 
 /// A start from a pose with covariance; one of all zeros stands for 0.5 m, 0.5 m and 15 degrees. Nothing when
 /// that is no `usable` start.

@@ -1,25 +1,19 @@
 #include "nodes/saved_pose.hpp"
 
-#include <yaml-cpp/yaml.h>
-
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <sstream>
-#include <system_error>
 #include <vector>
 
 #include "multipath_localization/core/atomic_file.hpp"
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/filters/kalman.hpp"
-#include "nodes/conversions.hpp"
+#include "multipath_localization/estimators/fix_check.hpp"
+#include "nodes/state_file.hpp"
 
 namespace multipath_localization {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kFastest = 10.0;        ///< that a robot rolls on without localisation [m/s]
 constexpr double kSlack = 0.5;           ///< and beyond that [m]
@@ -49,16 +43,8 @@ std::string text_of(const SavedPose& saved) {
   return out.str();
 }
 
-/// Throws YAML::Exception or ParameterError unless there are that many finite numbers.
-std::vector<double> numbers(const YAML::Node& source, std::size_t count) {
-  auto values = source.as<std::vector<double>>();
-  const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-  if (values.size() != count || !finite) throw ParameterError("a list is not of finite numbers");
-  return values;
-}
-
 Pose2 pose_of(const YAML::Node& source) {
-  const std::vector<double> p = numbers(source, 3);
+  const std::vector<double> p = finite_numbers(source, 3);
   return {p[0], p[1], p[2]};
 }
 
@@ -74,33 +60,24 @@ SavedPose parsed(const YAML::Node& content) {
   if (!content.IsMap() || content.size() != kKeys)
     throw ParameterError("it does not hold what belongs there");
   SavedPose saved;
-  const std::vector<double> datum = numbers(content["datum"], 3);
-  saved.datum = {datum[0], datum[1], datum[2]};
+  saved.datum = place_of(content["datum"]);
   saved.stamp = content["stamp"].as<double>();
   saved.base_in_map = pose_of(content["base_in_map"]);
-  saved.covariance = Eigen::Matrix3d(numbers(content["covariance"], 9).data());
+  saved.covariance = Eigen::Matrix3d(finite_numbers(content["covariance"], 9).data());
   saved.base_in_odom = pose_of(content["base_in_odom"]);
   saved.confirmed = content["confirmed"].as<bool>();
-  if (!valid(saved.datum) || !std::isfinite(saved.stamp)) throw ParameterError("datum or stamp is none");
+  if (!std::isfinite(saved.stamp)) throw ParameterError("its stamp is not finite");
   for (const Pose2& base : {saved.base_in_map, saved.base_in_odom}) {
     if (!usable(prior_at(base, saved)))
       throw ParameterError("nobody can start from such a pose or covariance");
   }
-  saved.covariance = kalman::symmetric<3>(saved.covariance);  // but for rounding it is
+  saved.covariance = symmetric<3>(saved.covariance);  // but for rounding it is
   return saved;
 }
 
 }  // namespace
 
-std::optional<SavedPose> read_saved_pose(const std::string& file) {
-  std::error_code unreadable;
-  if (!fs::exists(file, unreadable) && !unreadable) return std::nullopt;
-  try {
-    return parsed(YAML::LoadFile(file));
-  } catch (const std::exception& error) {
-    throw ParameterError(file + " is damaged: " + error.what());
-  }
-}
+std::optional<SavedPose> read_saved_pose(const std::string& file) { return read_state(file, parsed); }
 
 void write_saved_pose(const std::string& file, const SavedPose& pose) { replace_file(file, text_of(pose)); }
 

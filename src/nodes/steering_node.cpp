@@ -113,16 +113,12 @@ void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
                                             << parameters_.map_frame << "' are refused");
     return;
   }
-  if (message.poses.size() > kMostWaypoints) {
-    ROS_ERROR_STREAM(message.poses.size() << " waypoints are refused: more than " << kMostWaypoints);
-    return;
-  }
-  std::vector<Eigen::Vector2d> waypoints;
+  WaypointList waypoints;
   for (const geometry_msgs::Pose& pose : message.poses)
-    waypoints.emplace_back(pose.position.x, pose.position.y);
+    waypoints.points.emplace_back(pose.position.x, pose.position.y);
   try {
-    mission_.set_waypoints(waypoints);
-    waypoints_ = {false, waypoints};
+    mission_.set_waypoints(to_map(waypoints, origin_));
+    waypoints_ = waypoints;
     progress_ = -1.0;
   } catch (const std::invalid_argument& error) {
     ROS_ERROR_STREAM("waypoints are refused: " << error.what());

@@ -91,6 +91,20 @@ TEST(Usable, PriorsAreFiniteWithPositiveVariances) {
   EXPECT_FALSE(usable(prior));
   prior.covariance(2, 0) = 0.5;
   EXPECT_TRUE(usable(prior));
+  prior.covariance(0, 2) = prior.covariance(2, 0) = 1.5;  // correlated by more than one
+  EXPECT_FALSE(usable(prior));
+  prior.covariance.setIdentity();
+  prior.covariance(1, 1) = 1.1e14;
+  EXPECT_FALSE(usable(prior));
+  prior.covariance(1, 1) = 0.9e14;
+  EXPECT_TRUE(usable(prior));
+  prior.pose.y = -1.1e7;
+  EXPECT_FALSE(usable(prior));
+  prior.pose.y = -0.9e7;
+  EXPECT_TRUE(usable(prior));
+  prior.stamp = kNan;
+  EXPECT_FALSE(usable(prior));
+  prior.stamp = 0.0;
   prior.pose.yaw = kInf;
   EXPECT_FALSE(usable(prior));
 }

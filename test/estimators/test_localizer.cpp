@@ -1,114 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
-#include <set>
 
+#include "localizer_fixture.hpp"
 #include "multipath_localization/estimators/localizer.hpp"
 
 namespace multipath_localization {
 namespace {
-
-/// Follows the odometry exactly, accepts every fix, and remembers what it was told.
-class Recorder : public Estimator {
- public:
-  void start(const std::optional<PosePrior>& prior) override {
-    ++starts;
-    estimate_.pose = prior ? prior->pose : Pose2{};
-    increments.clear();
-    innovations.clear();
-  }
-
-  void predict(const OdometryIncrement& u) override {
-    increments.push_back(u);
-    estimate_.pose = estimate_.pose * displacement(u);
-    estimate_.stamp = u.stamp;
-  }
-
-  Innovation update(const Measurement& z) override {
-    Innovation innovation;
-    innovation.reason = verdict;
-    innovation.covariance = 2.0 * Eigen::Matrix2d::Identity();
-    if (!std::holds_alternative<GnssFix>(z)) return innovation;
-    const auto& fix = std::get<GnssFix>(z);
-    innovation.innovation = fix.position - estimate_.pose * fix.antenna_in_base;
-    innovations.push_back(innovation.innovation);
-    covariances.push_back(fix.covariance);
-    used_at.push_back(estimate_.stamp);
-    return innovation;
-  }
-
-  [[nodiscard]] PoseEstimate estimate() const override { return estimate_; }
-  [[nodiscard]] std::vector<Hypothesis> hypotheses() const override { return {}; }
-
-  PoseEstimate estimate_;
-  Reason verdict = Reason::kAccepted;
-  int starts = 0;
-  std::vector<OdometryIncrement> increments;
-  std::vector<Eigen::Vector2d> innovations;
-  std::vector<Eigen::Matrix2d> covariances;
-  std::vector<double> used_at;
-};
-
-constexpr double kStep = 0.1;
-const Eigen::Vector2d kAntenna(0.5, 0.2);
-
-class LocalizerTest : public testing::Test {
- protected:
-  LocalizerTest() { make(LocalizerParameters{}); }
-
-  void make(const LocalizerParameters& parameters) {
-    auto made = std::make_unique<Recorder>();
-    recorder = made.get();
-    localizer = std::make_unique<Localizer>(std::move(made), parameters);
-    localizer->start(std::nullopt);
-  }
-
-  /// Drives for a while in steps of kStep.
-  void drive(double duration, double speed = 1.0, double yaw_rate = 0.0) {
-    const double end = now + duration;
-    while (now < end - 1e-9) {
-      const OdometryIncrement u{now + kStep, kStep, speed, yaw_rate};
-      now += kStep;
-      path.push_back(u);
-      localizer->add(u);
-    }
-  }
-
-  /// Where the base truly was, by the odometry so far.
-  [[nodiscard]] Pose2 base_in_map(double stamp) const {
-    Pose2 pose;
-    for (OdometryIncrement u : path) {
-      const double start = u.stamp - u.duration;
-      if (start >= stamp) break;
-      u.duration = std::min(u.duration, stamp - start);
-      pose = pose * displacement(u);
-    }
-    return pose;
-  }
-
-  /// A faultless fix as it is measured at `stamp`.
-  [[nodiscard]] GnssFix fix_at(double stamp) const {
-    GnssFix fix;
-    fix.stamp = stamp;
-    fix.antenna_in_base = kAntenna;
-    fix.position = base_in_map(stamp) * kAntenna;
-    return fix;
-  }
-
-  /// The one report there is.
-  Reason reason_of(double stamp) {
-    localizer->take_reports();
-    localizer->add(Measurement(fix_at(stamp)));
-    const auto reports = localizer->take_reports();
-    EXPECT_EQ(reports.size(), 1U);
-    return reports.empty() ? Reason::kUnused : reports[0].innovation.reason;
-  }
-
-  Recorder* recorder = nullptr;
-  std::unique_ptr<Localizer> localizer;
-  std::vector<OdometryIncrement> path;
-  double now = 10.0;
-};
 
 TEST_F(LocalizerTest, AFixAheadOfTheOdometryWaitsAndSplitsTheIncrementAtItsStamp) {
   drive(1.0, 1.0, 0.5);
@@ -216,44 +115,11 @@ TEST_F(LocalizerTest, StartForgetsFixesThatWaited) {
   EXPECT_TRUE(recorder->innovations.empty());
 }
 
-TEST_F(LocalizerTest, SaysThatOdometryContradictsTheFixesBeforeItAsksToDriveOn) {
-  drive(0.5);
-  recorder->estimate_.valid = true;
-  recorder->estimate_.wheel_fault_probability = 0.4;
-  EXPECT_NE(localizer->state_reason().find("drive on"), std::string::npos);
-  recorder->estimate_.wheel_fault_probability = 0.6;
-  EXPECT_EQ(localizer->state(), Trust::kAligning);
-  EXPECT_EQ(localizer->state_reason(),
-            "odometry contradicts the fixes: do the wheels slip, does an encoder fail?");
-}
-
 TEST_F(LocalizerTest, ReportsAreHandedOutOnce) {
   drive(1.0);
   localizer->add(Measurement(fix_at(now - 0.5)));
   EXPECT_EQ(localizer->take_reports().size(), 1U);
   EXPECT_TRUE(localizer->take_reports().empty());
-}
-
-TEST_F(LocalizerTest, TrustFollowsTheEstimateAndTheFixes) {
-  PoseEstimate& estimate = recorder->estimate_;
-  std::set<std::string> reasons;
-  const auto expect = [&](Trust expected) {
-    EXPECT_EQ(localizer->state(), expected) << to_string(localizer->state());
-    EXPECT_TRUE(reasons.insert(localizer->state_reason()).second) << localizer->state_reason();
-  };
-  expect(Trust::kNotReady);
-  drive(0.5);
-  expect(Trust::kNotReady);  // now for the want of a fix
-  estimate.valid = true;
-  expect(Trust::kAligning);
-  estimate.aligned = true;
-  expect(Trust::kGood);
-  estimate.shadow_probability = 0.9;
-  expect(Trust::kMultipath);
-  drive(LocalizerParameters{}.dead_reckoning_after + 1.0);
-  expect(Trust::kDeadReckoning);
-  estimate.position_covariance_overall *= 1e5;
-  expect(Trust::kLost);
 }
 
 TEST_F(LocalizerTest, SaysHowFarFixesLieFromThePoseAndHowFarTheEstimatorReckonedWith) {
@@ -295,43 +161,6 @@ TEST_F(LocalizerTest, AdaptsTheCovarianceOfFixesWhereAskedTo) {
   EXPECT_TRUE(recorder->covariances.back().isIdentity()) << "a start forgets";
 }
 
-TEST_F(LocalizerTest, SaysHowFarToDriveUntilThePoseIsConfirmed) {
-  recorder->estimate_.valid = true;
-  drive(1.0);
-  EXPECT_EQ(localizer->state_reason(), "heading or position not yet confirmed, drive on under open sky");
-  recorder->estimate_.way_to_alignment = 6.3;
-  EXPECT_EQ(localizer->state_reason(),
-            "heading or position not yet confirmed, drive about 7 m more under open sky");
-}
-
-TEST_F(LocalizerTest, AReceiverIsFrozenOnceTheRobotHasDrivenOn) {
-  recorder->estimate_.valid = recorder->estimate_.aligned = true;
-  drive(1.0);
-  GnssFix fix = fix_at(now);
-  const auto repeated = [&] {
-    recorder->verdict = Reason::kFrozen;
-    fix.stamp = now;
-    localizer->add(Measurement(fix));
-    return localizer->take_reports().back().innovation.reason;
-  };
-  EXPECT_EQ(reason_of(now), Reason::kAccepted);
-  drive(60.0, 0.0);
-  EXPECT_EQ(repeated(), Reason::kRepeated) << "of a robot that stands";
-  EXPECT_EQ(localizer->state(), Trust::kGood);
-  EXPECT_FALSE(localizer->frozen());
-  drive(1.9);
-  EXPECT_EQ(repeated(), Reason::kRepeated);
-  drive(4.0);
-  EXPECT_EQ(repeated(), Reason::kFrozen);
-  ASSERT_TRUE(localizer->frozen());
-  EXPECT_NEAR(localizer->frozen()->duration, 65.9, 1e-6);
-  EXPECT_NEAR(localizer->frozen()->driven, 5.9, 1e-6);
-  EXPECT_EQ(localizer->state_reason(), "receiver frozen, running on odometry");
-  recorder->verdict = Reason::kAccepted;
-  EXPECT_EQ(reason_of(now), Reason::kAccepted);
-  EXPECT_FALSE(localizer->frozen());
-}
-
 TEST_F(LocalizerTest, IsTunedWhileItRuns) {
   recorder->estimate_.valid = recorder->estimate_.aligned = true;
   drive(1.0);
@@ -343,73 +172,6 @@ TEST_F(LocalizerTest, IsTunedWhileItRuns) {
   localizer->add(Measurement(fix_at(now)));
   EXPECT_EQ(recorder->covariances.back()(0, 0), 49.0);
   EXPECT_EQ(recorder->starts, 1);
-}
-
-TEST_F(LocalizerTest, MirroredOdometryConfirmsNoPose) {
-  recorder->estimate_.valid = recorder->estimate_.aligned = true;
-  Pose2 truth;
-  const auto turn = [&](double sign) {
-    for (int i = 0; i < 300; ++i) {
-      const OdometryIncrement u{now + kStep, kStep, 1.0, 0.2};
-      now += kStep;
-      truth = truth * displacement(u);
-      localizer->add({u.stamp, u.duration, u.speed, sign * u.yaw_rate});
-      GnssFix fix;
-      fix.stamp = now;
-      fix.position = truth.position();
-      if (i % 5 == 0) localizer->add(Measurement(fix));
-    }
-  };
-  turn(1.0);
-  EXPECT_EQ(localizer->state(), Trust::kGood);
-  localizer->start(std::nullopt);
-  recorder->estimate_.aligned = true;
-  turn(-1.0);
-  EXPECT_EQ(localizer->state(), Trust::kAligning);
-  EXPECT_NE(localizer->state_reason().find("mirrored, or NED"), std::string::npos);
-  localizer->start(std::nullopt);
-  EXPECT_FALSE(localizer->mirrored());
-}
-
-TEST_F(LocalizerTest, OnlyAnAcceptedFixEndsDeadReckoning) {
-  recorder->estimate_.valid = recorder->estimate_.aligned = true;
-  drive(LocalizerParameters{}.dead_reckoning_after + 1.0);
-  ASSERT_EQ(localizer->state(), Trust::kDeadReckoning);
-  recorder->verdict = Reason::kGated;
-  EXPECT_EQ(reason_of(now), Reason::kGated);
-  EXPECT_EQ(localizer->state(), Trust::kDeadReckoning);
-  recorder->verdict = Reason::kAccepted;
-  EXPECT_EQ(reason_of(now), Reason::kAccepted);
-  EXPECT_EQ(localizer->state(), Trust::kGood);
-  recorder->estimate_.canyon_probability = 0.9;
-  EXPECT_EQ(localizer->state(), Trust::kMultipath);
-}
-
-TEST_F(LocalizerTest, TheReasonTellsWhatItRunsOnAndWhatIsMissed) {
-  recorder->estimate_.valid = recorder->estimate_.aligned = true;
-  drive(1.0);
-  PseudorangeEpoch epoch;
-  epoch.stamp = now;
-  localizer->add(Measurement(epoch));
-  EXPECT_EQ(localizer->state_reason(), "pseudoranges agree with odometry");
-  drive(7.0);
-  reason_of(now);
-  EXPECT_EQ(localizer->state_reason(), "fixes agree with odometry, no pseudoranges for 7 s");
-  drive(5.0);
-  epoch.stamp = now;
-  localizer->add(Measurement(epoch));
-  EXPECT_EQ(localizer->state_reason(), "pseudoranges agree with odometry") << "fixes are not missed";
-  localizer->start(std::nullopt);
-  drive(1.0);
-  reason_of(now);
-  EXPECT_EQ(localizer->state_reason(), "fixes agree with odometry");
-}
-
-TEST_F(LocalizerTest, AnUncertaintyThatIsNoNumberIsLost) {
-  recorder->estimate_.valid = recorder->estimate_.aligned = true;
-  drive(0.5);
-  recorder->estimate_.position_covariance_overall.fill(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(localizer->state(), Trust::kLost);
 }
 
 }  // namespace

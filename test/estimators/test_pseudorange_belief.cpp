@@ -29,9 +29,8 @@ PseudorangeBelief random_belief(std::uint64_t seed) {
 
 SatelliteSlots three_slots() {
   SatelliteSlots slots;
-  slots.append({Constellation::kGps, 1}, 0.0);
-  slots.append({Constellation::kGlonass, std::nullopt}, 0.0);
-  slots.append({Constellation::kGlonass, 1}, 0.0);
+  slots.admit(
+      {{Constellation::kGps, 1}, {Constellation::kGlonass, std::nullopt}, {Constellation::kGlonass, 1}}, 0.0);
   return slots;
 }
 

@@ -1,33 +1,18 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
-#include <limits>
-#include <numeric>
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
+#include "../models/sky.hpp"
+#include "multipath_localization/core/random.hpp"
 #include "multipath_localization/estimators/pseudorange_mixture_filter.hpp"
-#include "satellite_drive.hpp"
 #include "simulated_drive.hpp"
+#include "started_mixture_filter.hpp"
 
 namespace multipath_localization {
 namespace {
-
-/// Fewer subsets: an open sky needs no search.
-PseudorangeMixtureFilterParameters quick() {
-  PseudorangeMixtureFilterParameters parameters;
-  parameters.subsets = 100;
-  parameters.hypotheses = 40;
-  return parameters;
-}
-
-class Started {
- public:
-  explicit Started(std::uint64_t seed, const PseudorangeMixtureFilterParameters& parameters = quick())
-      : filter(parameters, seed), drive(seed) {
-    filter.start(std::nullopt);
-  }
-  PseudorangeMixtureFilter filter;
-  SatelliteDrive drive;
-};
 
 TEST(PseudorangeMixtureFilter, FindsPlaceAndHeadingUnderAnOpenSky) {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
@@ -169,71 +154,6 @@ TEST(PseudorangeMixtureFilter, StaysSoundForHours) {
   }
 }
 
-/// Drives on until the filter says that it is not aligned; how long that took, at most `patience` [s].
-double time_to_doubt(Started& run, double patience) {
-  double waited = 0.0;
-  for (; waited < patience && run.filter.estimate().aligned; waited += 1.0) run.drive.run(run.filter, 1.0);
-  return waited;
-}
-
-TEST(PseudorangeMixtureFilter, FindsBackFromAWrongPlaceItWasSureOf) {
-  for (const std::uint64_t seed : {40U, 41U, 42U}) {
-    Started run(seed, PseudorangeMixtureFilterParameters());
-    Pose2 wrong = run.drive.truth;
-    wrong.x += 50.0;
-    wrong.y -= 33.0;
-    run.filter.start(PosePrior{0.0, wrong, Eigen::Vector3d(0.04, 0.04, 4e-4).asDiagonal()});
-    ASSERT_TRUE(run.filter.estimate().aligned);
-    EXPECT_LT(time_to_doubt(run, 40.0), 30.0);
-    run.drive.run(run.filter, 60.0);
-    EXPECT_LT(run.drive.error(run.filter), 3.0);
-    EXPECT_LT(run.drive.heading_error(run.filter), 0.1);
-    EXPECT_TRUE(run.filter.estimate().aligned);
-  }
-}
-
-TEST(PseudorangeMixtureFilter, FindsBackFromAHeadingItWasWronglySureOf) {
-  Started run(43, PseudorangeMixtureFilterParameters());
-  Pose2 wrong = run.drive.truth;
-  wrong.yaw += kPi;
-  run.filter.start(PosePrior{0.0, wrong, Eigen::Vector3d(0.04, 0.04, 4e-4).asDiagonal()});
-  EXPECT_LT(time_to_doubt(run, 60.0), 45.0);
-  run.drive.run(run.filter, 60.0);
-  EXPECT_LT(run.drive.heading_error(run.filter), 0.1);
-  EXPECT_LT(run.drive.error(run.filter), 3.0);
-}
-
-TEST(PseudorangeMixtureFilter, NoticesThatItWasCarriedAndFindsBack) {
-  for (const std::uint64_t seed : {44U, 45U}) {
-    Started run(seed, PseudorangeMixtureFilterParameters());
-    const double speed = run.drive.speed;
-    run.drive.run(run.filter, 60.0);
-    ASSERT_TRUE(run.filter.estimate().aligned);
-    run.drive.speed = 0.0;
-    run.drive.run(run.filter, 5.0);
-    run.drive.truth.x += 60.0;
-    run.drive.truth.y += 50.0;
-    run.drive.truth.yaw = wrap_angle(run.drive.truth.yaw + 2.0);
-    EXPECT_LT(time_to_doubt(run, 40.0), 30.0);
-    run.drive.speed = speed;
-    run.drive.run(run.filter, 60.0);
-    EXPECT_LT(run.drive.error(run.filter), 3.0);
-    EXPECT_LT(run.drive.heading_error(run.filter), 0.1);
-    EXPECT_TRUE(run.filter.estimate().aligned);
-  }
-}
-
-TEST(PseudorangeMixtureFilter, RivalsLeaveARightPlaceAlone) {
-  Started run(46, PseudorangeMixtureFilterParameters());
-  run.drive.run(run.filter, 60.0);
-  run.drive.delayed = {0, 1, 2, 8};
-  run.drive.run(run.filter, 120.0, [&] {
-    EXPECT_TRUE(run.filter.estimate().aligned);
-    EXPECT_LT(run.drive.error(run.filter), 3.0);
-    EXPECT_LT(std::sqrt(run.filter.estimate().position_covariance_overall.trace()), 6.0);
-  });
-}
-
 TEST(PseudorangeMixtureFilter, RangeRatesSettleTheHeadingSooner) {
   std::vector<double> variances;
   for (const bool doppler : {false, true}) {
@@ -244,81 +164,6 @@ TEST(PseudorangeMixtureFilter, RangeRatesSettleTheHeadingSooner) {
   }
   EXPECT_LT(variances[1], 0.5 * variances[0]);
   EXPECT_LT(variances[1], 0.1 * 0.1);
-}
-
-TEST(PseudorangeMixtureFilter, StartsAtThePrior) {
-  Started run(28);
-  PosePrior prior{0.0, run.drive.truth, Eigen::Vector3d(0.04, 0.04, 4e-4).asDiagonal()};
-  run.filter.start(prior);
-  EXPECT_TRUE(run.filter.estimate().valid);
-  EXPECT_TRUE(run.filter.estimate().aligned);
-  run.drive.delayed = {0, 1, 2, 8, 9};
-  double most = 0.0;
-  run.drive.run(run.filter, 20.0, [&] { most = std::max(most, run.drive.error(run.filter)); });
-  EXPECT_LT(most, 2.0);
-  EXPECT_TRUE(run.filter.estimate().aligned);
-}
-
-TEST(PseudorangeMixtureFilter, SaysNothingBeforeAnEpochThatAllowsAPosition) {
-  Started run(29);
-  EXPECT_FALSE(run.filter.estimate().valid);
-  EXPECT_TRUE(run.filter.hypotheses().empty());
-  run.filter.predict(run.drive.drive());
-  PseudorangeEpoch few = run.drive.epoch();
-  few.observations.resize(3);
-  EXPECT_EQ(run.filter.update(few).reason, Reason::kTooFewSatellites);
-  EXPECT_FALSE(run.filter.estimate().valid);
-  EXPECT_TRUE(run.filter.update(run.drive.epoch()).accepted());
-  EXPECT_TRUE(run.filter.estimate().valid);
-  EXPECT_FALSE(run.filter.estimate().aligned);
-}
-
-TEST(PseudorangeMixtureFilter, SameSeedSameBytesAlsoAfterARestart) {
-  std::vector<std::vector<double>> ends;
-  Started again(30);
-  for (int i = 0; i < 2; ++i) {
-    Started fresh(30);
-    fresh.drive.run(fresh.filter, 10.0);
-    ends.push_back(numbers_of(fresh.filter.estimate()));
-    again.filter.start(std::nullopt);
-    again.drive = SatelliteDrive(30);
-    again.drive.run(again.filter, 10.0);
-    ends.push_back(numbers_of(again.filter.estimate()));
-  }
-  for (const auto& end : ends) EXPECT_EQ(end, ends[0]);
-}
-
-TEST(PseudorangeMixtureFilter, DefectiveEpochsAreRefusedAndChangeNothing) {
-  Started run(31);
-  run.drive.run(run.filter, 10.0);
-  const std::vector<double> before = numbers_of(run.filter.estimate());
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto expect_refused = [&](Reason reason, const std::function<void(PseudorangeEpoch&)>& spoil) {
-    PseudorangeEpoch epoch = run.drive.epoch();
-    spoil(epoch);
-    EXPECT_EQ(run.filter.update(epoch).reason, reason);
-    EXPECT_EQ(numbers_of(run.filter.estimate()), before);
-  };
-  expect_refused(Reason::kNotFinite, [&](auto& epoch) { epoch.stamp = nan; });
-  expect_refused(Reason::kNotFinite, [&](auto& epoch) { epoch.antenna_in_base.x() = nan; });
-  expect_refused(Reason::kTooFewSatellites, [](auto& epoch) { epoch.observations.clear(); });
-  expect_refused(Reason::kTooFewSatellites, [&](auto& epoch) {
-    for (auto& observation : epoch.observations) observation.pseudorange = nan;
-  });
-  EXPECT_EQ(run.filter.update(GnssFix()).reason, Reason::kUnused);
-  EXPECT_EQ(numbers_of(run.filter.estimate()), before);
-}
-
-TEST(PseudorangeMixtureFilter, AbsurdRangesLeaveTheEstimateSound) {
-  Started run(32);
-  run.drive.run(run.filter, 30.0);
-  PseudorangeEpoch epoch = run.drive.epoch();
-  epoch.observations[0].pseudorange = 1e300;
-  epoch.observations[1].pseudorange = -1e12;
-  epoch.observations[2].cn0 = 1e9;
-  run.filter.update(epoch);
-  EXPECT_TRUE(all_finite(run.filter.estimate()));
-  EXPECT_LT(run.drive.error(run.filter), 4.0);
 }
 
 TEST(PseudorangeMixtureFilter, CloudHasTheMomentsOfTheEstimate) {

@@ -19,10 +19,16 @@ TEST(RejectionStreak, EndsWithAMeasurementThatPasses) {
   EXPECT_EQ(streak.add(11.0), 0.0);
 }
 
-TEST(RejectionStreak, TwoOutliersWithSilenceBetweenThemAreNone) {
+TEST(RejectionStreak, TwoOutliersWithSilenceBetweenThemCountLittle) {
   RejectionStreak streak;
   streak.add(10.0);
-  EXPECT_EQ(streak.add(16.0), 0.0);
+  EXPECT_EQ(streak.add(1000.0), RejectionStreak::kLongestPause);
+}
+
+TEST(RejectionStreak, GrowsWithSlowMeasurementsToo) {
+  RejectionStreak streak;
+  for (const double now : {10.0, 20.0, 30.0}) streak.add(now);
+  EXPECT_EQ(streak.add(40.0), 3.0 * RejectionStreak::kLongestPause);
 }
 
 }  // namespace

@@ -60,4 +60,12 @@ class WindingDrive {
   std::uint32_t fixes_ = 0;
 };
 
+/// A prior there. The variances tell the function from that of matched_robot.hpp in the same program.
+inline PosePrior prior_at(const Pose2& pose, const Eigen::Vector3d& variances = {0.04, 0.04, 0.0025}) {
+  PosePrior prior;
+  prior.pose = pose;
+  prior.covariance = variances.asDiagonal();
+  return prior;
+}
+
 }  // namespace multipath_localization

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -75,9 +76,9 @@ TEST_F(WaypointFile, RefusesABadLineOfCsvByItsNumber) {
   EXPECT_EQ(refusal("a.csv", "x,y\n1,\n"), ":2: '' is not a number");
   EXPECT_EQ(refusal("a.csv", std::string("x,y\n1\0e9,2\n", 11)).rfind(":2: '1", 0), 0U) << "a zero byte";
   EXPECT_EQ(refusal("a.csv", "x,y\nnan,1\n"), ":2: a waypoint is not finite");
-  EXPECT_EQ(refusal("a.csv", "x,y\n1,1e9\n"), ":2: farther than 100 km from map's origin");
+  EXPECT_EQ(refusal("a.csv", "x,y\n1,1e9\n"), ":2: a waypoint is farther than 100 km from map's origin");
   EXPECT_EQ(refusal("a.csv", "latitude,longitude\n35,139\n139,35\n"),
-            ":3: there is no such place on the Earth");
+            ":3: a waypoint is no place on the Earth");
   EXPECT_EQ(refusal("a.csv", "1,2\n3,4\n"),
             ":1: the first line names the columns: x,y or latitude,longitude");
 }
@@ -173,6 +174,15 @@ TEST(WaypointList, TakesNoPointThatCannotBeDrivenTo) {
 TEST(WaypointList, RefusesAPlaceThatMapCannotHold) {
   const LocalFrame map(Geodetic{35.0, 139.0, 0.0});
   EXPECT_THROW(to_map({true, {{35.0, 139.0}, {35.0, 141.0}}}, map), std::invalid_argument);
+  EXPECT_THROW(to_map({false, {{1.0, 2.0}, {1.1e5, 0.0}}}, map), std::invalid_argument);
+  EXPECT_THROW(to_map({false, {{std::nan(""), 0.0}}}, map), std::invalid_argument);
+}
+
+TEST(WaypointList, HasAnEnd) {
+  WaypointList list{false, Points(kMostWaypoints, Eigen::Vector2d::Zero())};
+  EXPECT_EQ(to_map(list, std::nullopt).size(), kMostWaypoints);
+  list.points.emplace_back(1.0, 2.0);
+  EXPECT_THROW(to_map(list, std::nullopt), std::invalid_argument);
 }
 
 }  // namespace

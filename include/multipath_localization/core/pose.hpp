@@ -6,6 +6,9 @@
 
 namespace multipath_localization {
 
+/// Where a robot can still be said to be, from the origin of map along each axis [m].
+constexpr double kFurthest = 1e7;
+
 /// A planar pose, or the transform that it is: position in metres, yaw in radians counter-clockwise.
 struct Pose2 {
   double x = 0.0;

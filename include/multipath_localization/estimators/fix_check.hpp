@@ -11,13 +11,12 @@ namespace multipath_localization {
 /// What makes a fix unusable whatever the estimator, or nothing:
 /// - kNotFinite: NaN or infinity in stamp, position, covariance or lever arm;
 /// - kInvalidPosition: position or lever arm of 1e8 m or more in some coordinate;
-/// - kInvalidCovariance: declared covariance with a negative variance, asymmetric, indefinite (each beyond
-/// rounding)
-///   or 1e8 m^2 or more. All zeros are valid: the receiver declares nothing.
+/// - kInvalidCovariance: declared covariance that is not positive semi-definite, or 1e8 m^2 or more. All
+///   zeros are valid: the receiver declares nothing.
 std::optional<Reason> defect(const GnssFix& fix);
 
-/// False for a prior with anything not finite, a variance that is not positive or a covariance that is not
-/// symmetric.
+/// Whether an estimator can start from it: all is finite, the pose up to kFurthest (m, rad), variances are
+/// above zero and up to the square of that, and the covariance is positive semi-definite.
 bool usable(const PosePrior& prior);
 
 /// False for an increment with anything not finite or a duration that is not positive.

@@ -70,8 +70,10 @@ class PseudorangeMixtureFilter : public Estimator {
                                                     const Eigen::Vector2d& antenna_in_base) const;
   [[nodiscard]] std::optional<AntennaPrior> antenna_prior(const Eigen::Vector2d& antenna_in_base) const;
   [[nodiscard]] SlottedEpoch slotted(const PseudorangeEpoch& epoch);
-  std::optional<int> slot_of(const SlotOwner& owner, double variance);
-  void release(int slot);
+  /// Makes the changes of the slots in every hypothesis.
+  void follow(const std::vector<SatelliteSlots::Change>& changes);
+  /// Of the state of this owner while nothing is known of it [m^2].
+  [[nodiscard]] double unknown_variance(const SlotOwner& owner) const;
   void flush_odometry();
   void refresh();
   void update_agreement(const SlottedEpoch& epoch);

@@ -24,30 +24,39 @@ class SatelliteSlots {
  public:
   static constexpr int kCapacity = 40;
 
+  /// What hypotheses do too: take this slot back, the last one moving into its place; or give one more, the
+  /// last.
+  struct Change {
+    std::optional<int> removed;
+    SlotOwner appended;
+  };
+
   [[nodiscard]] int size() const { return static_cast<int>(slots_.size()); }
-  [[nodiscard]] bool full() const { return size() == kCapacity; }
   [[nodiscard]] const SlotOwner& owner(int slot) const {
     return slots_[static_cast<std::size_t>(slot)].owner;
   }
 
-  /// The owner's slot, which counts as seen at `now` [s].
-  std::optional<int> find(const SlotOwner& owner, double now);
+  /// The slot of an owner, if it has one. Good until the next change.
+  [[nodiscard]] std::optional<int> find(const SlotOwner& owner) const;
 
-  /// Gives a new slot, the last; there must be room.
-  int append(const SlotOwner& owner, double now);
+  /// All of these are seen at `now` [s]: gives slots to those that have none, in order and as far as there is
+  /// room. It is made by taking back those of the satellites unseen for longest, of none that is seen now.
+  /// Gives the changes in their order.
+  std::vector<Change> admit(const std::vector<SlotOwner>& seen, double now);
 
-  /// The satellite unseen for longest, if it was last seen before `stamp` [s]. Offsets of constellations
-  /// stay.
-  [[nodiscard]] std::optional<int> stale(double stamp) const;
-
-  /// Takes a slot back; the last one moves into its place.
-  void remove(int slot);
+  /// Takes back the slots of satellites last seen before `stamp` [s]. Offsets of constellations stay.
+  std::vector<Change> retire(double stamp);
 
  private:
   struct Slot {
     SlotOwner owner;
     double last_seen;
   };
+
+  /// The satellite unseen for longest, if it was last seen before `stamp` [s].
+  [[nodiscard]] std::optional<int> stale(double stamp) const;
+  Change remove(int slot);
+
   std::vector<Slot> slots_;
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/core/covariance.hpp"
 
 namespace multipath_localization {
 
@@ -28,12 +29,6 @@ struct Innovation {
   double nis = std::numeric_limits<double>::infinity();              ///< y' S^-1 y, chi-square of M dof
   double log_likelihood = -std::numeric_limits<double>::infinity();  ///< log N(y; 0, S)
 };
-
-/// (P + P') / 2.
-template <int N>
-Eigen::Matrix<double, N, N> symmetric(const Eigen::Matrix<double, N, N>& P) {
-  return 0.5 * (P + P.transpose());
-}
 
 /// Moves the belief to `mean` = f(x, u): P <- F P F' + Q with F = df/dx at the old mean (N x N), Q of size N
 /// x N.

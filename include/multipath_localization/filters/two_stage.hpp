@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/filters/kalman.hpp"
 
 namespace multipath_localization {
@@ -32,7 +33,7 @@ template <int N, int D>
 Gaussian<N> corrected(const TwoStage<N, D>& belief) {
   const auto& V = belief.sensitivity;
   return {belief.bias_free.mean + V * belief.bias.mean,
-          kalman::symmetric<N>(belief.bias_free.covariance + V * belief.bias.covariance * V.transpose())};
+          symmetric<N>(belief.bias_free.covariance + V * belief.bias.covariance * V.transpose())};
 }
 
 /// Eqs. A1, A2, B1 of [KIM]: moves the bias-free estimate to `mean` = f(x), with F = df/dx (N x N), Q of size
@@ -58,7 +59,7 @@ void vary_bias(TwoStage<N, D>& belief, const Eigen::Matrix<double, D, D>& G,
   using MatrixD = Eigen::Matrix<double, D, D>;
   const MatrixD M = belief.bias.covariance;
   const Eigen::Matrix<double, N, D> U = belief.sensitivity;
-  const MatrixD M_varied = kalman::symmetric<D>(G * M * G.transpose() + W);
+  const MatrixD M_varied = symmetric<D>(G * M * G.transpose() + W);
   const Eigen::LLT<MatrixD> factor(M_varied);
   if (factor.info() != Eigen::Success) return;
   // The old bias given the new one is L times it, with the covariance of a correction by it.
@@ -66,7 +67,7 @@ void vary_bias(TwoStage<N, D>& belief, const Eigen::Matrix<double, D, D>& G,
   const MatrixD kept = MatrixD::Identity() - L * G;
   const MatrixD left = kept * M * kept.transpose() + L * W * L.transpose();
   belief.bias_free.mean += U * (belief.bias.mean - L * G * belief.bias.mean);
-  belief.bias_free.covariance = kalman::symmetric<N>(belief.bias_free.covariance + U * left * U.transpose());
+  belief.bias_free.covariance = symmetric<N>(belief.bias_free.covariance + U * left * U.transpose());
   belief.sensitivity = U * L;
   belief.bias = {G * belief.bias.mean, M_varied};
 }

@@ -20,11 +20,8 @@ struct WaypointList {
   std::vector<Eigen::Vector2d> points;  ///< kMostWaypoints at most
 };
 
-/// Why `point` cannot be driven to; empty when it can.
-std::string fault_of(const Eigen::Vector2d& point, bool on_earth);
-
 /// The points in map [m]. Throws std::invalid_argument where these are not known yet, `map` being needed and
-/// not there, and where one lies beyond kFarthestWaypoint, naming the first.
+/// not there, where there are more than kMostWaypoints, and where one cannot be driven to, naming the first.
 std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::optional<LocalFrame>& map);
 
 /// Appends a point of map [m], by latitude and longitude where the others are or where it is the first and

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "default_localizer.hpp"
+#include "multipath_localization/estimators/multipath_particle_filter.hpp"
+#include "simulated_drive.hpp"
+
+namespace multipath_localization {
+namespace {
+
+PosePrior prior_at(const Pose2& pose, double yaw_sigma) {
+  PosePrior prior;
+  prior.pose = pose;
+  prior.covariance = Eigen::Vector3d(0.25, 0.25, yaw_sigma * yaw_sigma).asDiagonal();
+  return prior;
+}
+
+TEST(MultipathParticleFilter, IsValidFromTheFirstFixAndAlignedAfterTheConfirmingDistance) {
+  const MultipathParticleFilterParameters parameters;
+  SimulatedDrive robot(1);
+  Localizer localizer = default_localizer(1);
+  robot.receiving = false;
+  robot.run(localizer, 2.0);
+  EXPECT_FALSE(localizer.estimate().valid);
+  EXPECT_TRUE(localizer.hypotheses().empty());
+  robot.receiving = true;
+  robot.run(localizer, 0.2);
+  EXPECT_TRUE(localizer.estimate().valid);
+  EXPECT_EQ(localizer.hypotheses().size(), static_cast<std::size_t>(parameters.particles));
+  robot.run(localizer, parameters.confirm_distance / robot.speed - 0.5);
+  EXPECT_FALSE(localizer.estimate().aligned);
+  robot.run(localizer, 30.0);
+  EXPECT_TRUE(localizer.estimate().aligned);
+}
+
+TEST(MultipathParticleFilter, NeverAlignsStandingStill) {
+  SimulatedDrive robot(2);
+  robot.speed = 0.0;
+  Localizer localizer = default_localizer(1);
+  robot.run(localizer, 120.0);
+  EXPECT_FALSE(localizer.estimate().aligned);
+}
+
+TEST(MultipathParticleFilter, StartsAtAPriorAndConfirmsItByDriving) {
+  for (const double yaw_sigma : {0.05, 0.8}) {
+    SimulatedDrive robot(3);
+    Localizer localizer = default_localizer(1);
+    localizer.start(prior_at(robot.truth, yaw_sigma));
+    const PoseEstimate start = localizer.estimate();
+    EXPECT_TRUE(start.valid);
+    EXPECT_FALSE(start.aligned);
+    EXPECT_LT(position_error(start, robot.truth).norm(), 1e-9);
+    EXPECT_LT(std::abs(angle_difference(start.pose.yaw, robot.truth.yaw)), yaw_sigma);
+    double mass = 0.0;
+    for (const Hypothesis& hypothesis : localizer.hypotheses()) mass += hypothesis.weight;
+    EXPECT_NEAR(mass, 1.0, 1e-9);
+    robot.run(localizer, 30.0);
+    EXPECT_TRUE(localizer.estimate().aligned);
+    EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
+    localizer.start(prior_at({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}, yaw_sigma));
+    EXPECT_FALSE(localizer.estimate().valid);
+  }
+}
+
+TEST(MultipathParticleFilter, APriorMayCountAsConfirmed) {
+  MultipathParticleFilterParameters parameters;
+  parameters.confirmed_start = true;
+  MultipathParticleFilter filter(parameters, 1);
+  filter.start(prior_at({1.0, 2.0, 0.5}, 0.05));
+  EXPECT_TRUE(filter.estimate().aligned);
+  filter.start(std::nullopt);
+  filter.update(GnssFix{});
+  EXPECT_FALSE(filter.estimate().aligned) << "without a prior there is nothing to count";
+}
+
+TEST(MultipathParticleFilter, AFirstFixFarAwayIsAStartLikeAnyOther) {
+  SimulatedDrive robot(6);
+  robot.truth = {1e7, -1e7, 0.5};
+  Localizer localizer = default_localizer(1);
+  robot.run(localizer, 60.0);
+  EXPECT_TRUE(localizer.estimate().aligned);
+  EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.0);
+}
+
+TEST(MultipathParticleFilter, SaysHowFarToDriveUntilItIsConfirmed) {
+  SimulatedDrive robot(5);
+  Localizer localizer = default_localizer(5);
+  const double whole = MultipathParticleFilterParameters{}.confirm_distance;
+  robot.run(localizer, 1.0);
+  EXPECT_GT(localizer.estimate().way_to_alignment, 0.8 * whole);
+  while (!localizer.estimate().aligned && robot.time < 60.0) robot.run(localizer, 1.0);
+  EXPECT_LE(localizer.estimate().way_to_alignment, 0.1 * whole);
+}
+
+}  // namespace
+}  // namespace multipath_localization
