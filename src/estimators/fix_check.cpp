@@ -31,8 +31,8 @@ std::optional<Reason> defect(const GnssFix& fix) {
 
 bool usable(const PosePrior& prior) {
   const Eigen::Vector3d pose(prior.pose.x, prior.pose.y, prior.pose.yaw);
-  return std::isfinite(prior.stamp) && pose.allFinite() && pose.cwiseAbs().maxCoeff() <= kFurthest &&
-         prior.covariance.allFinite() && prior.covariance.cwiseAbs().maxCoeff() <= square(kFurthest) &&
+  return std::isfinite(prior.stamp) && pose.allFinite() && pose.cwiseAbs().maxCoeff() <= kFurthestPose &&
+         prior.covariance.allFinite() && prior.covariance.cwiseAbs().maxCoeff() <= square(kFurthestPose) &&
          prior.covariance.diagonal().minCoeff() > 0.0 && positive_semi_definite(prior.covariance);
 }
 

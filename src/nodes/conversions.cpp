@@ -132,7 +132,7 @@ std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose) {
   const geometry_msgs::Point& p = pose.position;
   const geometry_msgs::Quaternion& q = pose.orientation;
   for (const double coordinate : {p.x, p.y, p.z}) {
-    if (!(std::abs(coordinate) <= kFurthest)) return {};
+    if (!(std::abs(coordinate) <= kFurthestPose)) return {};
   }
   const double norm = Eigen::Vector4d(q.x, q.y, q.z, q.w).norm();
   if (norm == 0.0) return Pose2{p.x, p.y, 0.0};

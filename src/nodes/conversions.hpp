@@ -100,7 +100,7 @@ double declared_sigma(const sensor_msgs::NavSatFix& message);
 
 /// x, y and yaw of a pose in space. A quaternion of four zeros, as drivers leave it that fill in no pose, is
 /// no turn. Nothing when a number is not finite, the quaternion is not of length one or the position is over
-/// kFurthest.
+/// kFurthestPose.
 std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose);
 geometry_msgs::Pose to_message(const Pose2& pose);
 

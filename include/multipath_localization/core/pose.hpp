@@ -7,7 +7,7 @@
 namespace multipath_localization {
 
 /// Where a robot can still be said to be, from the origin of map along each axis [m].
-constexpr double kFurthest = 1e7;
+constexpr double kFurthestPose = 1e7;
 
 /// A planar pose, or the transform that it is: position in metres, yaw in radians counter-clockwise.
 struct Pose2 {
