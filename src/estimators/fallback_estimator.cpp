@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "multipath_localization/core/numbers.hpp"
+#include "multipath_localization/estimators/epoch_check.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 
 namespace multipath_localization {
@@ -81,6 +82,7 @@ Innovation FallbackEstimator::use(const GnssFix& fix) {
 }
 
 Innovation FallbackEstimator::use(const PseudorangeEpoch& epoch) {
+  if (const auto reason = defect(epoch)) return refused(*reason);
   if (fixes_speak_ && of_fixes_->estimate().aligned) hand_over(of_fixes_->estimate(), *of_epochs_);
   const Innovation result = of_epochs_->update(epoch);
   if (!result.accepted()) return result;

@@ -50,6 +50,15 @@ class Scripted : public Estimator {
   int updates = 0;
 };
 
+PseudorangeEpoch sound_epoch() {
+  SatelliteObservation observation;
+  observation.position = {0.0, 0.0, 2e7};
+  observation.pseudorange = 2e7;
+  PseudorangeEpoch epoch;
+  epoch.observations = {observation};
+  return epoch;
+}
+
 class FallbackEstimatorTest : public ::testing::Test {
  protected:
   FallbackEstimatorTest() {
@@ -69,7 +78,7 @@ class FallbackEstimatorTest : public ::testing::Test {
     Reason last = Reason::kUnused;
     for (long i = 0; i < std::lround(duration / kStep); ++i) {
       filter->predict({now += kStep, kStep, 2.0, 0.3});
-      if (with_epochs) filter->update(PseudorangeEpoch{});
+      if (with_epochs) filter->update(sound_epoch());
       if (with_fixes) last = filter->update(GnssFix{}).reason;
     }
     return last;
@@ -199,9 +208,24 @@ TEST_F(FallbackEstimatorTest, OddOdometryAndOddMeasurementsChangeNothing) {
   drive(1.0, true, true);
   drive(3.0, false, true);
   epochs->verdict = Reason::kNotFinite;
-  filter->update(PseudorangeEpoch{});
+  filter->update(sound_epoch());
   EXPECT_TRUE(speaks_of_fixes());
   EXPECT_EQ(filter->estimate().stamp, now);
+}
+
+TEST_F(FallbackEstimatorTest, EpochsThatNobodyCanUseLeaveTheirEstimatorAsItIs) {
+  epochs->know(25.0);
+  drive(1.0, true, true);
+  drive(5.0, false, true);
+  fixes->know(2.0);
+  drive(0.1, false, true);
+  ASSERT_TRUE(speaks_of_fixes());
+  const int starts = epochs->starts;
+  PseudorangeEpoch timeless = sound_epoch();
+  timeless.stamp = std::nan("");
+  EXPECT_EQ(filter->update(PseudorangeEpoch{}).reason, Reason::kTooFewSatellites);
+  EXPECT_EQ(filter->update(timeless).reason, Reason::kNotFinite);
+  EXPECT_EQ(epochs->starts, starts);
 }
 
 /// Both streams of one robot, and what the composition of the real filters makes of them.
