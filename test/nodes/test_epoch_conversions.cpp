@@ -62,7 +62,7 @@ TEST(ToEpoch, UndoesToMessage) {
 
 TEST(ToEpoch, TellsSatellitesAsTheyStoodAtTransmission) {
   const PseudorangeEpoch epoch = good_observations();
-  const Pseudorange& message = good_epoch().pseudoranges[0];
+  const Pseudorange message = good_epoch().pseudoranges[0];
   const Eigen::Vector3d ecef(message.position.x, message.position.y, message.position.z);
   const Eigen::Vector3d unturned =
       berlin().vector_to_ecef(epoch.observations[0].position) + berlin().origin();
