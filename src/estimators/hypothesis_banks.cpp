@@ -6,11 +6,14 @@
 #include <numeric>
 #include <optional>
 
+#include "multipath_localization/core/parameters.hpp"
+
 namespace multipath_localization {
 
 namespace {
 
 constexpr double kMinLogWeight = -600.0;  ///< keeps every hypothesis representable
+constexpr double kLeastPrior = 1e-9;
 constexpr double kCountTolerance = 0.15;  ///< of all particles, before a bank is resized
 
 std::size_t draw(const std::vector<double>& cumulative, double u) {
@@ -140,7 +143,8 @@ ClassCounts class_counts(const PerClass& weights, std::size_t count, double floo
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   const auto heaviest =
       static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
-  const auto least = static_cast<std::size_t>(std::ceil(floor * static_cast<double>(count)));
+  const auto share = static_cast<std::size_t>(std::ceil(floor * static_cast<double>(count)));
+  const std::size_t least = std::max<std::size_t>(1, share);
   ClassCounts counts{};
   std::size_t used = 0;
   for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
@@ -151,6 +155,18 @@ ClassCounts class_counts(const PerClass& weights, std::size_t count, double floo
   }
   counts[heaviest] = count - std::min(count, used);
   return counts;
+}
+
+PerClass prior_probabilities(const ReceiverClasses& classes) {
+  PerClass probability{};
+  for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
+    const bool possible = classes[k].prior > 0.0 || classes[k].entry_rate > 0.0;
+    probability[k] = possible ? std::max(kLeastPrior, classes[k].prior) : 0.0;
+  }
+  const double total = std::accumulate(probability.begin(), probability.end(), 0.0);
+  if (total <= 0.0) throw ParameterError("no receiver class has a prior or an entry_rate above 0");
+  for (double& one : probability) one /= total;
+  return probability;
 }
 
 PerClass entry_probabilities(const ReceiverClasses& classes, double dt) {

@@ -11,14 +11,25 @@ namespace {
 constexpr double kRingSpacing = 0.6;        ///< 1 sigma of a start heading, in spacings of the ring
 constexpr double kMinStartYawSigma = 0.05;  ///< [rad]
 
-/// Interleaves the classes in proportion to their priors: the class of each of `count` particles.
-std::vector<std::size_t> interleaved(const ReceiverClasses& classes, std::size_t count) {
+/// Interleaves the classes in proportion to their probabilities: the class of each of `count` particles. None
+/// that there can be goes without a particle.
+std::vector<std::size_t> interleaved(const PerClass& probability, std::size_t count) {
   PerClass due{};
+  ClassCounts size{};
   std::vector<std::size_t> order(count);
   for (std::size_t& chosen : order) {
-    for (std::size_t k = 0; k < kReceiverClassCount; ++k) due[k] += classes[k].prior;
+    for (std::size_t k = 0; k < kReceiverClassCount; ++k) due[k] += probability[k];
     chosen = static_cast<std::size_t>(std::max_element(due.begin(), due.end()) - due.begin());
     due[chosen] -= 1.0;
+    ++size[chosen];
+  }
+  for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
+    if (size[k] > 0 || probability[k] <= 0.0) continue;
+    const auto largest =
+        static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+    *std::find(order.rbegin(), order.rend(), largest) = k;
+    --size[largest];
+    ++size[k];
   }
   return order;
 }
@@ -33,6 +44,7 @@ void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
   odometry_jump_ = OdometryJump(parameters_.odometry_jump, parameters_.odometry);
   fix_check_.forget();
   steady_bias_.clear();
+  since_fix_ = Pose2{};
   distance_since_fix_ = usual_speed_ = suspected_for_ = confirmed_over_ = settled_over_ = 0.0;
   confirmed_ = false;
   step_ = 0;
@@ -42,7 +54,7 @@ void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
 template <class Place>
 void MultipathParticleFilter::spread(Place place) {
   const auto count = static_cast<std::size_t>(parameters_.particles);
-  const std::vector<std::size_t> order = interleaved(parameters_.classes, count);
+  const std::vector<std::size_t> order = interleaved(prior_, count);
   PerClass size{};
   for (const std::size_t k : order) size[k] += 1.0;
   PerClass next{};
@@ -51,7 +63,7 @@ void MultipathParticleFilter::spread(Place place) {
     BeliefParticle& particle = particles_[i];
     const std::size_t k = particle.receiver = order[i];
     const ReceiverClass& receiver = parameters_.classes[k];
-    particle.weight = 1.0 / static_cast<double>(count);
+    particle.weight = prior_[k] / size[k];
     particle.mode.shadow =
         RandomStream(seed_, step_, static_cast<std::uint32_t>(i)).uniform() < receiver.shadow_at_start;
     particle.mode.noisy = receiver.always_shadow;

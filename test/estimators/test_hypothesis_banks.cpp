@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -38,6 +39,30 @@ void expect_weights(const std::vector<BeliefParticle>& particles, const PerClass
 constexpr ClassCounts kSizes = {40, 30, 10, 15, 5};
 constexpr PerClass kWeights = {0.5, 0.3, 0.1, 0.06, 0.04};
 
+TEST(PriorProbabilities, AreNotNothingForAClassThatCanBeEntered) {
+  ReceiverClasses classes;
+  classes.street.prior = 0.6;
+  classes.canyon.prior = 0.2;
+  classes.noisy.prior = classes.drifting.prior = classes.wheel_fault.prior = 0.0;
+  classes.drifting.entry_rate = 0.0;
+  const PerClass probability = prior_probabilities(classes);
+  EXPECT_NEAR(probability[0], 0.75, 1e-6);
+  EXPECT_NEAR(probability[1], 0.25, 1e-6);
+  EXPECT_GT(probability[2], 0.0);
+  EXPECT_LT(probability[2], 1e-6);
+  EXPECT_EQ(probability[3], 0.0);
+  EXPECT_GT(probability[kWheelFault], 0.0);
+}
+
+TEST(PriorProbabilities, ThereIsAtLeastOneClass) {
+  ReceiverClasses classes;
+  for (ReceiverClass* receiver :
+       {&classes.street, &classes.canyon, &classes.noisy, &classes.drifting, &classes.wheel_fault}) {
+    receiver->prior = receiver->entry_rate = 0.0;
+  }
+  EXPECT_THROW(prior_probabilities(classes), ParameterError);
+}
+
 TEST(ClassCounts, SumToTheCountAndKeepTheFloor) {
   const double tiny = 1e-9;
   const std::vector<PerClass> cases = {
@@ -53,7 +78,7 @@ TEST(ClassCounts, SumToTheCountAndKeepTheFloor) {
             EXPECT_EQ(counts[k], 0U);
             continue;
           }
-          EXPECT_GE(counts[k], std::min(2.0, floor * static_cast<double>(count)));
+          EXPECT_GE(counts[k], std::clamp(floor * static_cast<double>(count), 1.0, 2.0));
         }
       }
     }

@@ -24,9 +24,13 @@ using ClassCounts = std::array<std::size_t, kReceiverClassCount>;
 /// Sum of the weights of each class.
 PerClass class_weights(const std::vector<BeliefParticle>& particles);
 
-/// How many of `count` particles each class gets in proportion to `weights`, not less than the share `floor`
-/// for any class with weight; the heaviest takes what is left.
+/// How many of `count` particles each class gets in proportion to `weights`, not less than one and the share
+/// `floor` for any class with weight; the heaviest takes what is left.
 ClassCounts class_counts(const PerClass& weights, std::size_t count, double floor);
+
+/// Probability of each class at the start: as the priors say, but more than nothing for one that can be
+/// entered. Throws ParameterError where no class can be.
+PerClass prior_probabilities(const ReceiverClasses& classes);
 
 /// Probability of changing into each class from another within `dt` seconds.
 PerClass entry_probabilities(const ReceiverClasses& classes, double dt);
