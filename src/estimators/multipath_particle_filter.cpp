@@ -12,9 +12,10 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kMaxFlush = 1.2;               ///< odometry is linearised over at most this long [s]
-constexpr double kSpeedMemory = 10.0;           ///< over which the usual speed is averaged [s]
-constexpr double kMovedSinceFix = 0.02;         ///< less is a standing robot [m]
+constexpr double kMaxFlush = 1.2;        ///< odometry is linearised over at most this long [s]
+constexpr double kSpeedMemory = 10.0;    ///< over which the usual speed is averaged [s]
+constexpr double kMovedSinceFix = 0.02;  ///< less is a standing robot [m]
+constexpr double kLockEndRate = 0.1;     ///< of wheels that stand; a slip of turning ones ends sooner [1/s]
 constexpr std::uint32_t kMixing = 0xFFFFFFFFU;  ///< random streams beside those of the particles
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;
 
@@ -40,6 +41,7 @@ MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterPa
                                                  std::uint64_t seed)
     : parameters_(parameters),
       seed_(seed),
+      prior_(prior_probabilities(parameters.classes)),
       odometry_(parameters.odometry),
       odometry_jump_(parameters.odometry_jump, parameters.odometry),
       alignment_(parameters.alignment_length, parameters.classes.street.quiet_sigma,
@@ -58,6 +60,7 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   odometry_.add(u);
   odometry_jump_.add(u);
   distance_since_fix_ += std::abs(u.speed) * u.duration;
+  since_fix_ = since_fix_ * displacement(u);
   if (!standing(u)) alignment_.add(u);
   if (odometry_.duration() <= kMaxFlush) return;
   doubt_odometry();
@@ -113,24 +116,25 @@ Innovation MultipathParticleFilter::innovation(const GnssFix& fix) const {
 FixInterval MultipathParticleFilter::interval(const ReceiverClass& receiver, double duration) const {
   FixInterval result;
   result.duration = duration;
-  result.moving = distance_since_fix_ > kMovedSinceFix;
+  result.moving = moving();
   result.unseen_variance = unseen_variance();
-  const double hidden_speed = suspected_for_ > 0.0 ? usual_speed_ : 0.0;
+  const bool locked = !result.moving && suspected_for_ > 0.0;
+  const double hidden_speed = locked ? usual_speed_ : 0.0;
   result.slip_distance = result.moving ? distance_since_fix_ : hidden_speed * duration;
   result.position_restart_rate = confirmed_ ? 0.0 : receiver.jump_rate;
   result.heading_restart_rate = confirmed_ ? parameters_.heading_restart_rate : receiver.jump_rate;
   result.restart_sigma = std::max(parameters_.restart_sigma, doubtful_bias());
-  result.slip_end_rate = parameters_.slip_end_rate;
+  result.slip_end_rate =
+      locked ? std::min(kLockEndRate, parameters_.slip_end_rate) : parameters_.slip_end_rate;
   if (result.moving) result.aligned_heading = alignment_.heading();
   return result;
 }
 
 void MultipathParticleFilter::weigh(const GnssFix& fix) {
   const double duration = std::max(0.0, now_ - last_fix_);
-  const bool moving = distance_since_fix_ > kMovedSinceFix;
   const bool suspect = suspect_wheels(duration);
-  const double class_time = moving || suspected_for_ > 0.0 ? duration : 0.0;
-  if (moving && duration > 0.0) {
+  const double class_time = moving() || suspected_for_ > 0.0 ? duration : 0.0;
+  if (moving() && duration > 0.0) {
     usual_speed_ += std::min(1.0, duration / kSpeedMemory) * (distance_since_fix_ / duration - usual_speed_);
     const Eigen::Vector2d lever = rotation(cluster_.belief.mean(kYaw)) * fix.antenna_in_base;
     alignment_.add(Eigen::Vector2d(fix.position - lever));
@@ -140,14 +144,17 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
   const std::vector<double> log_likelihood = sample_modes(fix, duration);
   reweigh(particles_, log_likelihood, std::min(1.0, class_time / parameters_.class_evidence_time));
   refresh_cluster();
-  doubt_steady_bias(moving ? duration : 0.0);
+  doubt_steady_bias(moving() ? duration : 0.0);
   RandomStream resampling(seed_, step_, kResampling);
   resample_banks(particles_, static_cast<std::size_t>(parameters_.particles), parameters_.class_floor,
                  parameters_.ess_fraction, resampling);
   ++step_;
   last_fix_ = doubted_until_ = now_;
   distance_since_fix_ = 0.0;
+  since_fix_ = Pose2{};
 }
+
+bool MultipathParticleFilter::moving() const { return since_fix_.position().norm() > kMovedSinceFix; }
 
 void MultipathParticleFilter::change_classes(double duration, bool suspect) {
   PerClass entry = entry_probabilities(parameters_.classes, duration);

@@ -13,13 +13,18 @@ constexpr double kSuspicion = 10.0;  ///< wheels that stand after a jump may be 
 constexpr double kSlipRatioSquared = 1.0 / 3.0;  ///< of a slip by any part of the speed, on average
 constexpr double kSettledProbability = 0.95;     ///< of the canyon, and of one cluster in it
 constexpr double kMajority = 0.5;                ///< probability above which something is taken for so
-constexpr double kSettledYawSigma = 0.35;        ///< of the heading there [rad]
+constexpr double kSettledYawSigma = 0.35;        ///< of a heading that is known [rad]
 
 }  // namespace
 
 bool MultipathParticleFilter::suspect_wheels(double duration) {
   const bool jump = odometry_jump_.take();
-  suspected_for_ = jump ? kSuspicion : std::max(0.0, suspected_for_ - duration);
+  double believed = 0.0;
+  for (const BeliefParticle& particle : particles_) {
+    if (particle.mode.slipping || particle.receiver == kWheelFault) believed += particle.weight;
+  }
+  if (believed < kMajority) suspected_for_ = std::max(0.0, suspected_for_ - duration);
+  if (jump) suspected_for_ = kSuspicion;
   return jump;
 }
 
@@ -78,21 +83,23 @@ void MultipathParticleFilter::update_confirmation() {
     const bool quiet = !particle.mode.shadow && !particle.mode.noisy;
     if (quiet && particle.receiver != kWheelFault) open_quiet += particle.weight;
   }
-  const bool settled = class_probability_[kCanyon] > kSettledProbability &&
-                       cluster_.mass > kSettledProbability &&
-                       cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
-  const auto count = [this](double& distance, bool holds) {
-    distance = std::max(0.0, distance + (holds ? distance_since_fix_ : -distance_since_fix_));
+  const bool headed = cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
+  const bool open = open_quiet > parameters_.confirm_probability && cluster_.mass > kMajority;
+  const bool settled =
+      class_probability_[kCanyon] > kSettledProbability && cluster_.mass > kSettledProbability;
+  const double way = since_fix_.position().norm();
+  const auto count = [way](double& distance, bool holds) {
+    distance = std::max(0.0, distance + (holds ? way : -way));
   };
-  count(confirmed_over_, open_quiet > parameters_.confirm_probability);
-  count(settled_over_, settled);
+  count(confirmed_over_, open && headed);
+  count(settled_over_, settled && headed);
   confirmed_ = confirmed_ || confirmed_over_ > parameters_.confirm_distance;
 }
 
 void MultipathParticleFilter::doubt_steady_bias(double moving_time) {
   const bool biased = cluster_.shadow > kMajority && class_probability_[kCanyon] < kMajority;
   if (!biased) return steady_bias_.clear();
-  const double way = moving_time > 0.0 ? distance_since_fix_ : 0.0;
+  const double way = moving_time > 0.0 ? since_fix_.position().norm() : 0.0;
   steady_bias_.add(cluster_.belief.mean.tail<2>(), way, moving_time, parameters_.steady_bias);
   if (steady_bias_.probability(parameters_.steady_bias) < kMajority) return;
   for (BeliefParticle& particle : particles_) {

@@ -32,6 +32,24 @@ TEST(MultipathParticleFilter, AParkedRobotDoesNotSlideAwayWithABiasThatWalksIn) 
   }
 }
 
+TEST(MultipathParticleFilter, DrivesOnWithTheFixesForAsLongAsTheEncodersStandStill) {
+  for (const double speed : {1.0, 2.0}) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      SimulatedDrive robot(seed);
+      robot.speed = speed;
+      Localizer localizer = default_localizer(seed);
+      robot.run(localizer, 60.0);
+      robot.spoilt = [](const OdometryIncrement& u) { return OdometryIncrement{u.stamp, u.duration}; };
+      double beyond = 0.0;
+      robot.run(localizer, 30.0, [&] {
+        if (nees_overall(localizer.estimate(), robot.truth) > 9.0) beyond += 0.2;
+      });
+      EXPECT_LT(position_error(localizer.estimate(), robot.truth).norm(), 1.5) << speed << " m/s, " << seed;
+      EXPECT_LT(beyond, 5.0) << speed << " m/s, " << seed;
+    }
+  }
+}
+
 TEST(MultipathParticleFilter, ABiasThatNeverChangesIsAnErrorOfThePose) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SimulatedDrive robot(seed);

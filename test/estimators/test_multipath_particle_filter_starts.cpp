@@ -43,6 +43,33 @@ TEST(MultipathParticleFilter, NeverAlignsStandingStill) {
   EXPECT_FALSE(localizer.estimate().aligned);
 }
 
+TEST(MultipathParticleFilter, NeverAlignsByOdometryThatOnlyJitters) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    MultipathParticleFilter filter({}, seed);
+    filter.start(std::nullopt);
+    RandomStream random(seed, 1, 0);
+    for (int i = 1; i <= 900 * 50; ++i) {
+      filter.predict({0.02 * i, 0.02, 0.05 * random.normal(), 0.0});
+      if (i % 50 != 0) continue;
+      GnssFix fix;
+      fix.stamp = 0.02 * i;
+      fix.position = {0.3 * random.normal(), 0.3 * random.normal()};
+      filter.update(fix);
+      ASSERT_FALSE(filter.estimate().aligned) << fix.stamp;
+    }
+  }
+}
+
+TEST(MultipathParticleFilter, FewParticlesLeaveNoClassOut) {
+  MultipathParticleFilterParameters parameters;
+  parameters.particles = 20;
+  parameters.class_floor = 0.0;
+  MultipathParticleFilter filter(parameters, 1);
+  filter.update(SimulatedDrive(1).fix());
+  EXPECT_NEAR(filter.estimate().wheel_fault_probability, parameters.classes.wheel_fault.prior, 1e-9);
+  EXPECT_NEAR(filter.estimate().canyon_probability, parameters.classes.canyon.prior, 1e-9);
+}
+
 TEST(MultipathParticleFilter, StartsAtAPriorAndConfirmsItByDriving) {
   for (const double yaw_sigma : {0.05, 0.8}) {
     SimulatedDrive robot(3);

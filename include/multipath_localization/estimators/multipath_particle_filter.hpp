@@ -51,6 +51,7 @@ struct MultipathParticleFilterParameters {
 /// heading, confirmed it.
 class MultipathParticleFilter : public Estimator {
  public:
+  /// Throws ParameterError where no receiver class can be.
   MultipathParticleFilter(const MultipathParticleFilterParameters& parameters, std::uint64_t seed);
 
   void start(const std::optional<PosePrior>& prior) override;
@@ -67,6 +68,8 @@ class MultipathParticleFilter : public Estimator {
   void start_at(const GnssFix& fix);
   void start_at(const PosePrior& prior);
 
+  /// Since the last fix, by odometry: jitter leads nowhere.
+  [[nodiscard]] bool moving() const;
   void flush_odometry();
   void weigh(const GnssFix& fix);
   /// Samples the mode of every hypothesis and corrects it by the fix; gives the log likelihood of each.
@@ -96,6 +99,7 @@ class MultipathParticleFilter : public Estimator {
   MultipathParticleFilterParameters parameters_;
   std::uint64_t seed_;
   std::uint32_t step_ = 0;
+  PerClass prior_;  ///< of the receiver classes
 
   std::vector<BeliefParticle> particles_;  ///< none before the first fix or prior
   DominantCluster cluster_;                ///< of the particles as they are
@@ -110,7 +114,8 @@ class MultipathParticleFilter : public Estimator {
   double now_ = 0.0;
   double last_fix_ = 0.0;
   double doubted_until_ = 0.0;  ///< the last fix, or `doubt_odometry` after it [s]
-  double distance_since_fix_ = 0.0;
+  double distance_since_fix_ = 0.0;  ///< along the way [m]
+  Pose2 since_fix_;                  ///< the base where it was at the last fix, by odometry
   double usual_speed_ = 0.0;     ///< of the last seconds in which the wheels turned [m/s]
   double suspected_for_ = 0.0;   ///< time left in which standing wheels may be locked [s]
   double confirmed_over_ = 0.0;  ///< distance moved under an open sky that explains the fixes [m]

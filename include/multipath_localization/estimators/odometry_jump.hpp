@@ -9,7 +9,7 @@
 namespace multipath_localization {
 
 struct OdometryJumpParameters {
-  double largest_acceleration = 5.0;
+  double largest_acceleration = 2.5;
   double largest_yaw_acceleration = 8.0;
   double fault_probability = 0.1;
 
