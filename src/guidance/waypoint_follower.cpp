@@ -46,8 +46,8 @@ void WaypointFollowerParameters::fields(ParameterVisitor& field) {
   field("max_pose_age", max_pose_age, {0.0, 60.0}, "s",
         "a pose older, or as far ahead of now, stops the robot");
   field("aligning_distance", aligning_distance, {0.0, 1e3}, "m",
-        "from a start in ALIGNING go straight this far, for the heading to show, unless it is confirmed "
-        "before");
+        "in ALIGNING at the start, and after NOT_READY or LOST, go straight this far, for the heading to "
+        "show, unless it is confirmed before");
   field("aligning_speed_ratio", aligning_speed_ratio, {0.0, 1.0}, "1", "of the cruise speed in ALIGNING");
   field("multipath_speed_ratio", multipath_speed_ratio, {0.0, 1.0}, "1", "of the cruise speed in MULTIPATH");
   field("dead_reckoning_speed_ratio", dead_reckoning_speed_ratio, {0.0, 1.0}, "1",
@@ -64,7 +64,8 @@ void WaypointFollower::move_waypoints(std::vector<Eigen::Vector2d> waypoints) {
   require_finite(waypoints);
   if (waypoints.size() != waypoints_.size()) throw std::invalid_argument("not as many waypoints as before");
   waypoints_ = std::move(waypoints);
-  underway_ = false;
+  segment_start_.reset();
+  first_position_.reset();
 }
 
 int WaypointFollower::laps() const {
@@ -80,17 +81,27 @@ bool WaypointFollower::finished() const { return !parameters_.loop && passed_ > 
 void WaypointFollower::skip() {
   if (waypoints_.empty() || finished()) return;
   take_next();
+  segment_start_.reset();
+}
+
+void WaypointFollower::heed(Trust state) {
+  if (state != Trust::kNotReady && state != Trust::kLost) return;
   underway_ = false;
+  first_position_.reset();
+  segment_start_.reset();
 }
 
 FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state) {
+  heed(state);
   if (finished()) return {{}, "finished"};
   const std::string reason = reason_to_stop(pose, pose_age, state);
   if (!reason.empty()) return {{}, "stopped: " + reason};
 
   const Pace pace = pace_in(state);
   const double speed = pace.ratio * parameters_.cruise_speed;
-  if (!underway_ && !set_off(pose.position(), state)) return {{speed, 0.0}, pace.status};
+  underway_ = underway_ || heading_shown(pose.position(), state);
+  if (!underway_) return {{speed, 0.0}, pace.status};
+  if (!segment_start_) segment_start_ = pose.position();
   pass_waypoints(pose.position());
   if (finished()) return {{}, "finished"};
   const double angle = parameters_.law == "nishida" ? steer_to_target(pose) : steer_along_path(pose);
@@ -120,12 +131,10 @@ WaypointFollower::Pace WaypointFollower::pace_in(Trust state) const {
   }
 }
 
-bool WaypointFollower::set_off(const Eigen::Vector2d& position, Trust state) {
+bool WaypointFollower::heading_shown(const Eigen::Vector2d& position, Trust state) {
   if (!first_position_) first_position_ = position;
   const bool far_enough = (position - *first_position_).norm() >= parameters_.aligning_distance;
-  underway_ = state != Trust::kAligning || far_enough;
-  segment_start_ = position;
-  return underway_;
+  return state != Trust::kAligning || far_enough;
 }
 
 void WaypointFollower::pass_waypoints(const Eigen::Vector2d& position) {
@@ -143,7 +152,7 @@ void WaypointFollower::take_next() {
 bool WaypointFollower::passed_target(const Eigen::Vector2d& position) const {
   const Eigen::Vector2d beyond = position - waypoints_[target_];
   if (beyond.norm() <= parameters_.switch_radius) return true;
-  const Eigen::Vector2d way = waypoints_[target_] - segment_start_;
+  const Eigen::Vector2d way = waypoints_[target_] - *segment_start_;
   if (way.isZero()) return false;
   return beyond.dot(way) >= 0.0 && std::abs(cross(way.normalized(), beyond)) <= parameters_.crossing_width;
 }
@@ -154,11 +163,12 @@ double WaypointFollower::steer_to_target(const Pose2& pose) const {
 }
 
 double WaypointFollower::steer_along_path(const Pose2& pose) const {
-  const Eigen::Vector2d way = waypoints_[target_] - segment_start_;
+  const Eigen::Vector2d start = *segment_start_;
+  const Eigen::Vector2d way = waypoints_[target_] - start;
   Eigen::Vector2d aim = waypoints_[target_];
   if (!way.isZero()) {
     const Eigen::Vector2d along = way.normalized();
-    aim = segment_start_ + ((pose.position() - segment_start_).dot(along) + parameters_.lookahead) * along;
+    aim = start + ((pose.position() - start).dot(along) + parameters_.lookahead) * along;
   }
   const Eigen::Vector2d ahead = aim - pose.position();
   const double bearing = angle_difference(direction_of(ahead), pose.yaw);

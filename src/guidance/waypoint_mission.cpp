@@ -75,6 +75,7 @@ Answer WaypointMission::no_waypoints() const {
 }
 
 std::string WaypointMission::reason_to_stand() const {
+  follower_.heed(state);
   switch (order_) {
     case Order::kAwaited: return "stopped: waiting for start";
     case Order::kPause: return "paused: waiting for resume";

@@ -195,6 +195,35 @@ TEST(WaypointFollower, StartsStraightForAtMostTheAligningDistance) {
   EXPECT_NE(follower.command({3.1, 0.0, 0.5}, 0.0, Trust::kAligning).command.steering_angle, 0.0);
 }
 
+TEST(WaypointFollower, GoesStraightAgainAfterTheHeadingWasLost) {
+  for (const Trust unknown : {Trust::kNotReady, Trust::kLost}) {
+    WaypointFollower follower(WaypointFollowerParameters{}, kSquare);
+    follower.command({0.0, 0.0, 0.0}, 0.0, Trust::kGood);
+    EXPECT_NE(follower.command({3.0, 0.0, 2.0}, 0.0, Trust::kAligning).command.steering_angle, 0.0);
+    follower.command({3.0, 0.0, 2.0}, 1e3, unknown);  // the pose has ceased besides
+    for (const double x : {10.0, 14.9}) {
+      const MotionCommand u = follower.command({x, 0.0, 2.0}, 0.0, Trust::kAligning).command;
+      EXPECT_EQ(u.steering_angle, 0.0) << to_string(unknown);
+      EXPECT_GT(u.speed, 0.0);
+    }
+    EXPECT_NE(follower.command({15.1, 0.0, 2.0}, 0.0, Trust::kAligning).command.steering_angle, 0.0);
+  }
+}
+
+TEST(WaypointFollower, SteersOnInAligningAfterASkip) {
+  WaypointFollower follower(WaypointFollowerParameters{}, kSquare);
+  follower.command({0.0, 0.0, 0.0}, 0.0, Trust::kGood);
+  follower.skip();
+  EXPECT_NE(follower.command({0.0, 0.0, 0.0}, 0.0, Trust::kAligning).command.steering_angle, 0.0);
+}
+
+TEST(WaypointFollower, CountsTheAligningDistanceInOneMap) {
+  WaypointFollower follower(WaypointFollowerParameters{}, {{20.0, 0.0}});
+  follower.command({0.0, 0.0, 2.0}, 0.0, Trust::kAligning);
+  follower.move_waypoints({{70.0, 0.0}});
+  EXPECT_EQ(follower.command({50.0, 0.0, 2.0}, 0.0, Trust::kAligning).command.steering_angle, 0.0);
+}
+
 TEST(WaypointFollower, RefusesAWaypointThatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(WaypointFollower(WaypointFollowerParameters{}, {{0.0, nan}}), std::invalid_argument);

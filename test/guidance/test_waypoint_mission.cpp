@@ -62,6 +62,15 @@ TEST(WaypointMission, PauseKeepsTheWaypointAndStopForgetsIt) {
   EXPECT_EQ(robot.follower().target(), 0U);
 }
 
+TEST(WaypointMission, GoesStraightAfterAPauseInWhichTheHeadingWasLost) {
+  WaypointMission robot = mission();
+  at(robot, 0.0);
+  robot.pause();
+  robot.command({}, 0.0, Trust::kNotReady);
+  robot.resume();
+  EXPECT_EQ(robot.command({0.0, 0.0, 2.0}, 0.0, Trust::kAligning).command.steering_angle, 0.0);
+}
+
 TEST(WaypointMission, SkipsWhileDrivingAndWhilePaused) {
   WaypointMission robot = mission(false);
   at(robot, 0.0);

@@ -52,6 +52,9 @@ class WaypointFollower {
   /// The command for a base in map at `pose`, `pose_age` seconds old.
   FollowerOutput command(const Pose2& pose, double pose_age, Trust state);
 
+  /// As command does by itself: after NOT_READY and LOST the heading has to show anew, as at the start.
+  void heed(Trust state);
+
   /// Gives the waypoint steered for up, as if it were passed; the next is gone to straight from where the
   /// robot is. Nothing where there is none.
   void skip();
@@ -79,7 +82,7 @@ class WaypointFollower {
 
   [[nodiscard]] Pace pace_in(Trust state) const;
   [[nodiscard]] std::string reason_to_stop(const Pose2& pose, double pose_age, Trust state) const;
-  bool set_off(const Eigen::Vector2d& position, Trust state);
+  [[nodiscard]] bool heading_shown(const Eigen::Vector2d& position, Trust state);
   void pass_waypoints(const Eigen::Vector2d& position);
   void take_next();
   [[nodiscard]] bool passed_target(const Eigen::Vector2d& position) const;
@@ -91,11 +94,11 @@ class WaypointFollower {
 
   WaypointFollowerParameters parameters_;
   std::vector<Eigen::Vector2d> waypoints_;
-  Eigen::Vector2d segment_start_ = Eigen::Vector2d::Zero();
+  std::optional<Eigen::Vector2d> segment_start_;  ///< none: where the robot is next
   std::size_t target_ = 0;
   std::size_t passed_ = 0;
-  std::optional<Eigen::Vector2d> first_position_;  ///< in ALIGNING
-  bool underway_ = false;                          ///< the pose has been good enough to steer by
+  std::optional<Eigen::Vector2d> first_position_;  ///< since the pose is known
+  bool underway_ = false;                          ///< the heading has been good enough to steer by
 };
 
 }  // namespace multipath_localization
