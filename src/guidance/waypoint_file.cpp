@@ -55,6 +55,23 @@ std::string fault_of(const Eigen::Vector2d& point, bool on_earth) {
   return "farther than " + std::to_string(std::lround(kFarthestWaypoint / 1e3)) + " km from map's origin";
 }
 
+/// Throws std::invalid_argument on the first of `points` in map that cannot be driven to.
+void require_in_reach(const std::vector<Eigen::Vector2d>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string fault = fault_of(points[i], false);
+    if (!fault.empty()) throw std::invalid_argument("waypoint " + std::to_string(i + 1) + " is " + fault);
+  }
+}
+
+bool same(const Geodetic& a, const Geodetic& b) {
+  return a.latitude_deg == b.latitude_deg && a.longitude_deg == b.longitude_deg && a.altitude == b.altitude;
+}
+
+/// In `map`, at the altitude of its origin.
+Eigen::Vector2d on_ground(const Geodetic& place, const LocalFrame& map) {
+  return map.to_map({place.latitude_deg, place.longitude_deg, map.datum().altitude});
+}
+
 void append(WaypointList& list, const Eigen::Vector2d& point, const Place& place) {
   if (list.points.size() == kMostWaypoints) {
     throw place.error("more than " + std::to_string(kMostWaypoints) + " waypoints");
@@ -147,21 +164,27 @@ WaypointList read_yaml(const std::string& file, std::istream& text) {
 
 }  // namespace
 
+WaypointList moved(const WaypointList& waypoints, const std::optional<LocalFrame>& map) {
+  WaypointList there = waypoints;
+  if (waypoints.on_earth || !map) return there;
+  there.map = map;
+  if (!waypoints.map || same(waypoints.map->datum(), map->datum())) return there;
+  for (Eigen::Vector2d& point : there.points) point = on_ground(waypoints.map->to_geodetic(point), *map);
+  require_in_reach(there.points);
+  return there;
+}
+
 std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::optional<LocalFrame>& map) {
   const std::size_t count = waypoints.points.size();
   if (count > kMostWaypoints) {
     throw std::invalid_argument(std::to_string(count) + " are more than " + std::to_string(kMostWaypoints));
   }
   if (waypoints.on_earth && !map) throw std::invalid_argument(kNoOrigin);
-  std::vector<Eigen::Vector2d> points;
-  for (const Eigen::Vector2d& point : waypoints.points) {
-    const auto on_map = [&] { return map->to_map({point.x(), point.y(), map->datum().altitude}); };
-    points.push_back(waypoints.on_earth ? on_map() : point);
-    const std::string fault = fault_of(points.back(), false);
-    if (!fault.empty()) {
-      throw std::invalid_argument("waypoint " + std::to_string(points.size()) + " is " + fault);
-    }
+  std::vector<Eigen::Vector2d> points = moved(waypoints, map).points;
+  if (waypoints.on_earth) {
+    for (Eigen::Vector2d& point : points) point = on_ground({point.x(), point.y()}, *map);
   }
+  require_in_reach(points);
   return points;
 }
 
@@ -171,6 +194,7 @@ void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::o
   if (waypoints.points.size() >= kMostWaypoints) throw std::invalid_argument("there are too many waypoints");
   if (waypoints.points.empty()) waypoints.on_earth = map.has_value();
   if (!waypoints.on_earth) {
+    waypoints = moved(waypoints, map);
     waypoints.points.push_back(in_map);
     return;
   }

@@ -47,7 +47,7 @@ Answer WaypointMission::stop() {
 }
 
 Answer WaypointMission::set_loop(bool repeat) {
-  if (order_ == Order::kDrive && follower_.finished()) order_ = Order::kDone;
+  if (finished()) order_ = Order::kDone;
   parameters_.loop = repeat;
   follower_.set_loop(repeat);
   return {true, repeat ? "goes on to the first waypoint after the last" : "stops at the last waypoint"};
@@ -69,6 +69,7 @@ FollowerOutput WaypointMission::command(const Pose2& pose, double pose_age, Trus
   if (!without_waypoints_.empty()) return {{}, "stopped: " + without_waypoints_};
   return follower_.command(pose, pose_age, state);
 }
+  if (finished()) order_ = Order::kAwaited;
 
 Answer WaypointMission::no_waypoints() const {
   return {false, without_waypoints_.empty() ? "no waypoints" : without_waypoints_};
@@ -80,6 +81,10 @@ std::string WaypointMission::reason_to_stand() const {
     case Order::kAwaited: return "stopped: waiting for start";
     case Order::kPause: return "paused: waiting for resume";
     case Order::kStop: return "stopped: by order, waiting for start";
+bool WaypointMission::finished() const {
+  return order_ == Order::kDone || (order_ == Order::kDrive && follower_.finished());
+}
+
     case Order::kDone: return "finished";
     default: return "";
   }

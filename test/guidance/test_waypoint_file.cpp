@@ -163,6 +163,54 @@ TEST(WaypointList, StaysInMapWhereItBeganThere) {
   EXPECT_EQ(list.points, (Points{{1.0, 2.0}, {3.0, 4.0}}));
 }
 
+/// Where `point` of `a` is in `b`.
+Eigen::Vector2d seen(const LocalFrame& a, const Eigen::Vector2d& point, const LocalFrame& b) {
+  return b.to_map(a.to_geodetic(point));
+}
+
+TEST(WaypointList, StaysWhereItIsOnTheGroundWhenMapMoves) {
+  const LocalFrame here(Geodetic{60.0, 139.0, 40.0});
+  const LocalFrame there(here.to_geodetic({-3000.0, 500.0}));
+  const WaypointList list{false, {{30.0, -20.0}, {-7.0, 400.0}}, here};
+  const WaypointList result = moved(list, there);
+  EXPECT_EQ(to_map(list, there), result.points);
+  EXPECT_LT((there.origin() - result.map->origin()).norm(), 1e-9);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT((result.points[i] - seen(here, list.points[i], there)).norm(), 1e-3);
+    EXPECT_GT((result.points[i] - list.points[i] - Eigen::Vector2d(3000.0, -500.0)).norm(), 0.01)
+        << "north is another there";
+    EXPECT_LT((moved(result, here).points[i] - list.points[i]).norm(), 1e-3);
+  }
+}
+
+TEST(WaypointList, StaysAsItIsWhereAMapIsNotKnownOrTheSame) {
+  const LocalFrame map(Geodetic{35.0, 139.0, 40.0});
+  const Points points{{1.0, 2.0}, {0.1, 4.0}};
+  EXPECT_EQ(moved({false, points}, map).points, points);
+  EXPECT_EQ(moved({false, points, map}, std::nullopt).points, points);
+  EXPECT_EQ(moved({false, points, map}, map).points, points);
+  EXPECT_EQ(moved({true, points}, map).points, points);
+}
+
+TEST(WaypointList, RefusesToMoveFartherThanMapReaches) {
+  const LocalFrame here(Geodetic{35.0, 139.0, 40.0});
+  const LocalFrame there(Geodetic{35.95, 139.0, 40.0});  // 105 km
+  EXPECT_THROW(moved({false, {{0.0, 90e3}, {1.0, 2.0}}, here}, there), std::invalid_argument);
+  EXPECT_EQ(moved({false, {{0.0, 90e3}}, here}, there).points.size(), 1U);
+}
+
+TEST(WaypointList, AppendsInTheMapOfTheDay) {
+  const LocalFrame here(Geodetic{35.0, 139.0, 40.0});
+  const LocalFrame there(here.to_geodetic({0.0, 50.0}));
+  WaypointList list{false, {{10.0, 0.0}}, here};
+  append(list, {20.0, 0.0}, there);
+  ASSERT_EQ(list.points.size(), 2U);
+  EXPECT_LT((list.points[0] - Eigen::Vector2d(10.0, -50.0)).norm(), 1e-3);
+  EXPECT_EQ(list.points[1], Eigen::Vector2d(20.0, 0.0));
+  EXPECT_THROW(append(list, {1.0, 2.0}, LocalFrame(Geodetic{45.0, 139.0, 40.0})), std::invalid_argument);
+  EXPECT_EQ(list.points.size(), 2U);
+}
+
 TEST(WaypointList, TakesNoPointThatCannotBeDrivenTo) {
   WaypointList list;
   EXPECT_THROW(append(list, {1e9, 0.0}, std::nullopt), std::invalid_argument);

@@ -163,3 +163,11 @@ TEST(WaypointMission, KeepsItsWaypointsWhenNewOnesAreNotFinite) {
 
 }  // namespace
 }  // namespace multipath_localization
+TEST(WaypointMission, StandsWhenFinishedThoughItsWaypointsWereGoneForAWhile) {
+  WaypointMission robot = mission(false);
+  drive_to_the_end(robot);
+  robot.stand_without_waypoints("waiting for map");
+  robot.set_waypoints(kLine);
+  expect_standing(robot, "stopped: waiting for start");
+}
+

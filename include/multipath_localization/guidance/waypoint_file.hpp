@@ -17,17 +17,23 @@ constexpr double kFarthestWaypoint =
 /// Places to drive to, as their owner wrote them down.
 struct WaypointList {
   bool on_earth = false;  ///< the points are latitude and longitude [deg], else x and y in map [m]
-  std::vector<Eigen::Vector2d> points;  ///< kMostWaypoints at most
+  std::vector<Eigen::Vector2d> points;           ///< kMostWaypoints at most
+  std::optional<LocalFrame> map = std::nullopt;  ///< that x and y are in, when known
 };
 
-/// The points in map [m]. Throws std::invalid_argument where these are not known yet, `map` being needed and
-/// not there, where there are more than kMostWaypoints, and where one cannot be driven to, naming the first.
+/// The same places on the ground with x and y in `map`; as they are where they are on Earth, or where one of
+/// the two maps is not known. Throws std::invalid_argument where `map` cannot hold one, naming the first.
+WaypointList moved(const WaypointList& waypoints, const std::optional<LocalFrame>& map);
+
+/// The points in `map` [m], where they are on the ground when they were written down in another. Throws
+/// std::invalid_argument where these are not known yet, `map` being needed and not there, where there are
+/// more than kMostWaypoints, and where one cannot be driven to, naming the first.
 std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::optional<LocalFrame>& map);
 
-/// Appends a point of map [m], by latitude and longitude where the others are or where it is the first and
-/// `map` is known: such a list holds on another day, whatever map's origin then is. Throws
-/// std::invalid_argument on one that cannot be driven to, above kMostWaypoints, and where `map` is needed and
-/// not there.
+/// Appends a point of `map` [m], by latitude and longitude where the others are or where it is the first and
+/// `map` is known: such a list holds on another day, whatever map's origin then is. One in x and y is moved
+/// to `map`. Throws std::invalid_argument on a point that cannot be driven to, above kMostWaypoints, and
+/// where `map` is needed and not there.
 void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::optional<LocalFrame>& map);
 
 /// Waypoints of a file, in the order of driving; all of one kind. By its ending:

@@ -37,7 +37,7 @@ class WaypointMission {
   /// WaypointFollower::move_waypoints: the robot goes on to the waypoint it was steered for.
   void move_waypoints(const std::vector<Eigen::Vector2d>& waypoints) { follower_.move_waypoints(waypoints); }
 
-  /// No waypoints until set_waypoints, for a reason to be told.
+  /// No waypoints until set_waypoints, for a reason to be told. What was finished then takes `start`.
   void stand_without_waypoints(const std::string& reason);
 
   /// As WaypointFollower::command; zero, and why, where the owner's orders are to stand.
@@ -58,3 +58,4 @@ class WaypointMission {
 };
 
 }  // namespace multipath_localization
+  [[nodiscard]] bool finished() const;
