@@ -59,32 +59,41 @@ void WaypointMission::set_waypoints(const std::vector<Eigen::Vector2d>& waypoint
   if (order_ == Order::kDone) order_ = Order::kDrive;
 }
 
+bool WaypointMission::offer_waypoints(const std::vector<Eigen::Vector2d>& waypoints, std::uint64_t stamp) {
+  const bool again = last_delivery_ && last_delivery_->waypoints == waypoints;
+  if (again && stamp <= last_delivery_->stamp) return false;
+  const bool under_way = !finished() && without_waypoints_.empty() && follower_.waypoints() == waypoints;
+  if (!under_way) set_waypoints(waypoints);
+  last_delivery_ = {waypoints, stamp};
+  return !under_way;
+}
+
 void WaypointMission::stand_without_waypoints(const std::string& reason) {
+  if (finished()) order_ = Order::kAwaited;
   follower_ = WaypointFollower(parameters_, {});
   without_waypoints_ = reason;
 }
 
 FollowerOutput WaypointMission::command(const Pose2& pose, double pose_age, Trust state) {
+  follower_.heed(state);
   if (order_ != Order::kDrive) return {{}, reason_to_stand()};
   if (!without_waypoints_.empty()) return {{}, "stopped: " + without_waypoints_};
   return follower_.command(pose, pose_age, state);
 }
-  if (finished()) order_ = Order::kAwaited;
+
+bool WaypointMission::finished() const {
+  return order_ == Order::kDone || (order_ == Order::kDrive && follower_.finished());
+}
 
 Answer WaypointMission::no_waypoints() const {
   return {false, without_waypoints_.empty() ? "no waypoints" : without_waypoints_};
 }
 
 std::string WaypointMission::reason_to_stand() const {
-  follower_.heed(state);
   switch (order_) {
     case Order::kAwaited: return "stopped: waiting for start";
     case Order::kPause: return "paused: waiting for resume";
     case Order::kStop: return "stopped: by order, waiting for start";
-bool WaypointMission::finished() const {
-  return order_ == Order::kDone || (order_ == Order::kDrive && follower_.finished());
-}
-
     case Order::kDone: return "finished";
     default: return "";
   }

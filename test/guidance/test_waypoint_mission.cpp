@@ -129,6 +129,63 @@ TEST(WaypointMission, NewWaypointsAreDrivenWhenFinished) {
   EXPECT_GT(at(robot, 0.0).command.speed, 0.0);
 }
 
+TEST(WaypointMission, TheSameWaypointsDeliveredAgainDoNotRestartTheWay) {
+  WaypointMission robot({}, {}, true);
+  EXPECT_TRUE(robot.offer_waypoints(kLine, 5));
+  at(robot, 0.0);
+  at(robot, 10.0);
+  for (const std::uint64_t stamp : {5U, 0U, 6U, 7U}) {
+    EXPECT_FALSE(robot.offer_waypoints(kLine, stamp));
+    EXPECT_EQ(robot.follower().target(), 1U);
+  }
+  EXPECT_TRUE(robot.offer_waypoints({{10.0, 0.0}, {20.0, 1.0}, {30.0, 0.0}}, 7));
+  EXPECT_EQ(robot.follower().target(), 0U);
+}
+
+TEST(WaypointMission, OnlyALaterStampHasAFinishedRobotDriveTheSameWaypointsAnew) {
+  WaypointMission robot = mission(false);
+  EXPECT_FALSE(robot.offer_waypoints(kLine, 5)) << "it was started with them";
+  drive_to_the_end(robot);
+  for (const std::uint64_t stamp : {5U, 0U, 4U}) {
+    EXPECT_FALSE(robot.offer_waypoints(kLine, stamp));
+    expect_standing(robot, "finished");
+  }
+  EXPECT_TRUE(robot.offer_waypoints(kLine, 6));
+  EXPECT_GT(at(robot, 0.0).command.speed, 0.0);
+}
+
+TEST(WaypointMission, WaypointsWithoutAStampAreOneDeliveryUntilOthersCome) {
+  WaypointMission robot = mission(false);
+  robot.offer_waypoints(kLine, 0);
+  drive_to_the_end(robot);
+  EXPECT_FALSE(robot.offer_waypoints(kLine, 0));
+  expect_standing(robot, "finished");
+  EXPECT_TRUE(robot.offer_waypoints({{5.0, 0.0}}, 0));
+  EXPECT_TRUE(robot.offer_waypoints(kLine, 0));
+}
+
+TEST(WaypointMission, WaypointsDeliveredAgainStayWhereTheyAreThoughMapHasMoved) {
+  WaypointMission robot({}, {}, true);
+  robot.offer_waypoints(kLine, 5);
+  robot.move_waypoints({{10.0, 5.0}, {20.0, 5.0}, {30.0, 5.0}});
+  EXPECT_FALSE(robot.offer_waypoints(kLine, 5));
+  EXPECT_EQ(robot.follower().waypoints()[0], Eigen::Vector2d(10.0, 5.0));
+  EXPECT_TRUE(robot.offer_waypoints(kLine, 6)) << "in the new map they are others";
+}
+
+TEST(WaypointMission, StandsByOrderOrAtTheEnd) {
+  WaypointMission robot = mission(false, false);
+  EXPECT_TRUE(robot.stands());
+  robot.start();
+  robot.command({}, 0.0, Trust::kLost);
+  EXPECT_FALSE(robot.stands()) << "it would drive on";
+  robot.pause();
+  EXPECT_TRUE(robot.stands());
+  robot.resume();
+  drive_to_the_end(robot);
+  EXPECT_TRUE(robot.stands());
+}
+
 TEST(WaypointMission, RefusesToStartWithoutWaypoints) {
   WaypointMission robot({}, {}, false);
   EXPECT_EQ(robot.start().message, "no waypoints");
@@ -142,6 +199,14 @@ TEST(WaypointMission, SaysWhyThereAreNoWaypointsUntilThereAre) {
   EXPECT_EQ(robot.skip().message, "waiting for map");
   robot.set_waypoints(kLine);
   EXPECT_GT(at(robot, 0.0).command.speed, 0.0);
+}
+
+TEST(WaypointMission, StandsWhenFinishedThoughItsWaypointsWereGoneForAWhile) {
+  WaypointMission robot = mission(false);
+  drive_to_the_end(robot);
+  robot.stand_without_waypoints("waiting for map");
+  robot.set_waypoints(kLine);
+  expect_standing(robot, "stopped: waiting for start");
 }
 
 TEST(WaypointMission, KeepsTheWaypointSteeredForWhenMapMoves) {
@@ -163,11 +228,3 @@ TEST(WaypointMission, KeepsItsWaypointsWhenNewOnesAreNotFinite) {
 
 }  // namespace
 }  // namespace multipath_localization
-TEST(WaypointMission, StandsWhenFinishedThoughItsWaypointsWereGoneForAWhile) {
-  WaypointMission robot = mission(false);
-  drive_to_the_end(robot);
-  robot.stand_without_waypoints("waiting for map");
-  robot.set_waypoints(kLine);
-  expect_standing(robot, "stopped: waiting for start");
-}
-

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,11 @@ class WaypointMission {
   /// std::invalid_argument, and keeps the old ones, when one is not finite.
   void set_waypoints(const std::vector<Eigen::Vector2d>& waypoints);
 
+  /// Waypoints in map [m] as a topic delivers them, over again at times: those that came last, with no later
+  /// `stamp` [ns], are the same delivery and change nothing; nor do the waypoints of the way under way, of
+  /// whatever stamp. All others are for set_waypoints, whether they were is the answer.
+  bool offer_waypoints(const std::vector<Eigen::Vector2d>& waypoints, std::uint64_t stamp);
+
   /// WaypointFollower::move_waypoints: the robot goes on to the waypoint it was steered for.
   void move_waypoints(const std::vector<Eigen::Vector2d>& waypoints) { follower_.move_waypoints(waypoints); }
 
@@ -43,19 +50,29 @@ class WaypointMission {
   /// As WaypointFollower::command; zero, and why, where the owner's orders are to stand.
   FollowerOutput command(const Pose2& pose, double pose_age, Trust state);
 
+  /// Whether it stands by order, or at the end of the way: nothing but an order, or waypoints, ends that.
+  [[nodiscard]] bool stands() const { return order_ != Order::kDrive || follower_.finished(); }
+
   [[nodiscard]] const WaypointFollower& follower() const { return follower_; }
 
  private:
   enum class Order { kAwaited, kDrive, kPause, kStop, kDone };
 
+  [[nodiscard]] bool finished() const;
   [[nodiscard]] Answer no_waypoints() const;
   [[nodiscard]] std::string reason_to_stand() const;  ///< empty under kDrive
+
+  /// What offer_waypoints took last.
+  struct Delivery {
+    std::vector<Eigen::Vector2d> waypoints;
+    std::uint64_t stamp;
+  };
 
   WaypointFollowerParameters parameters_;
   WaypointFollower follower_;
   Order order_;
+  std::optional<Delivery> last_delivery_;
   std::string without_waypoints_;  ///< why there are none, where that is known
 };
 
 }  // namespace multipath_localization
-  [[nodiscard]] bool finished() const;
