@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "multipath_localization/SteeringCommand.h"
 #include "nodes/conversions.hpp"
@@ -52,8 +53,7 @@ void SteeringNode::advertise(ros::NodeHandle& node, ros::NodeHandle& private_nod
       "odometry/filtered_map", 10,
       [this](const nav_msgs::OdometryConstPtr& message) { take_pose(*message); });
   state_in_ = node.subscribe<LocalizationState>(
-      "localization/state", 10,
-      [this](const LocalizationStateConstPtr& message) { trust_ = to_trust(*message); });
+      "localization/state", 10, [this](const LocalizationStateConstPtr& message) { take_state(*message); });
   origin_in_ = node.subscribe<geometry_msgs::PoseStamped>(
       "local_xy_origin", 1,
       [this](const geometry_msgs::PoseStampedConstPtr& message) { take_origin(*message); });
@@ -73,62 +73,19 @@ void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
   }
   pose_ = to_pose2(message.pose.pose).value_or(Pose2{kNaN, kNaN, kNaN});
   pose_stamp_ = message.header.stamp;
-  pose_arrived_ = ros::WallTime::now();
+  pose_arrived_ = ros::SteadyTime::now();
   drive();
 }
 
-void SteeringNode::take_origin(const geometry_msgs::PoseStamped& message) {
-  const Geodetic datum{message.pose.position.y, message.pose.position.x, message.pose.position.z};
-  if (without_slash(message.header.frame_id) != parameters_.map_frame || !valid(datum)) {
-    ROS_ERROR_STREAM("an origin that is no place on the Earth, or not that of '" << parameters_.map_frame
-                                                                                 << "', is refused");
-    return;
-  }
-  origin_.emplace(datum);
-  if (waypoints_.on_earth) place_waypoints();
-}
-
-void SteeringNode::place_waypoints() {
-  const std::string& file = parameters_.waypoint_file;
-  progress_ = -1.0;
-  if (waypoints_.points.empty()) {
-    mission_.stand_without_waypoints(file.empty() ? "no waypoints" : "no waypoints in " + file);
-    return;
-  }
-  try {
-    const std::vector<Eigen::Vector2d> points = to_map(waypoints_, origin_);
-    if (points.size() == mission_.follower().waypoints().size()) {
-      mission_.move_waypoints(points);
-    } else {
-      mission_.set_waypoints(points);
-    }
-  } catch (const std::invalid_argument& reason) {
-    mission_.stand_without_waypoints(reason.what());
-  }
-}
-
-void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
-  if (without_slash(message.header.frame_id) != parameters_.map_frame) {
-    ROS_ERROR_STREAM("waypoints in frame '" << shown(message.header.frame_id) << "' instead of '"
-                                            << parameters_.map_frame << "' are refused");
-    return;
-  }
-  WaypointList waypoints;
-  for (const geometry_msgs::Pose& pose : message.poses)
-    waypoints.points.emplace_back(pose.position.x, pose.position.y);
-  try {
-    mission_.set_waypoints(to_map(waypoints, origin_));
-    waypoints_ = waypoints;
-    progress_ = -1.0;
-  } catch (const std::invalid_argument& error) {
-    ROS_ERROR_STREAM("waypoints are refused: " << error.what());
-  }
+void SteeringNode::take_state(const LocalizationState& message) {
+  const Trust before = std::exchange(trust_, to_trust(message));
+  if (trust_ != before && (trust_ == Trust::kNotReady || trust_ == Trust::kLost)) drive();
 }
 
 double SteeringNode::pose_age(const ros::Time& now) const {
   if (pose_stamp_.isZero()) return kNaN;
-  const double age = (now - pose_stamp_).toSec();
-  const double silence = (ros::WallTime::now() - pose_arrived_).toSec();
+  const double age = now.toSec() - pose_stamp_.toSec();  // a ros::Duration throws beyond 68 years
+  const double silence = (ros::SteadyTime::now() - pose_arrived_).toSec();
   return silence > std::abs(age) ? silence : age;
 }
 

@@ -40,6 +40,8 @@ class SteeringNode {
   Answer record(const Eigen::Vector2d& in_map);
   Answer save();
   void watch();
+  /// That the pose is unknown counts at once, even if it is over before the next pose; all else with that.
+  void take_state(const LocalizationState& message);
   void drive();
   void publish(const MotionCommand& command, const ros::Time& now);
   void report(const std::string& status);
@@ -54,7 +56,8 @@ class SteeringNode {
   WaypointMission mission_;
   Pose2 pose_;
   ros::Time pose_stamp_;  ///< zero before the first pose
-  ros::WallTime pose_arrived_;
+  ros::SteadyTime pose_arrived_;
+  ros::SteadyTime standing_since_;  ///< by order; zero while it is to drive
   Trust trust_ = Trust::kNotReady;
   std::string status_;
   double progress_ = -1.0;

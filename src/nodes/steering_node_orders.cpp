@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <system_error>
 
 #include "nodes/conversions.hpp"
 #include "nodes/steering_node.hpp"
@@ -84,12 +83,13 @@ Answer SteeringNode::save() {
   const std::string& file = parameters_.waypoint_file;
   if (!recording_) return {false, "nothing is recorded"};
   try {
-    write_waypoints(file, *recording_);
-  } catch (const std::system_error& reason) {
+    const WaypointList recording = moved(*recording_, origin_);
+    write_waypoints(file, recording);
+    waypoints_ = recording;
+  } catch (const std::exception& reason) {
     return {false, reason.what()};
   }
   mission_.stop();
-  waypoints_ = *recording_;
   recording_.reset();
   place_waypoints();
   return {true,

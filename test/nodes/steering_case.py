@@ -4,7 +4,7 @@ import time
 import unittest
 
 import rospy
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import Pose, PoseArray, Twist
 from multipath_localization.msg import LocalizationState, SteeringCommand
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64, String
@@ -30,17 +30,27 @@ def wait_for_subscribers(*publishers):
         time.sleep(0.05)
 
 
+def waypoint_array(points, frame="map", stamp=None):
+    message = PoseArray()
+    message.header.frame_id = frame
+    message.header.stamp = stamp or rospy.Time()
+    for x, y in points:
+        pose = Pose()
+        pose.position.x, pose.position.y, pose.orientation.w = x, y, 1.0
+        message.poses.append(pose)
+    return message
+
+
 class SteeringCase(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node("steering_test")
         cls.pose = rospy.Publisher("odometry/filtered_map", Odometry, queue_size=10)
-        cls.state = rospy.Publisher("localization/state", LocalizationState, queue_size=1, latch=True)
+        cls.state = rospy.Publisher("localization/state", LocalizationState, queue_size=10, latch=True)
         cls.steering = Last("steering", SteeringCommand)
         cls.cmd_vel = Last("cmd_vel", Twist)
         cls.status = Last("steering/status", String)
         cls.progress = Last("steering/progress", Float64)
-        wait_for_subscribers(cls.pose, cls.state)
 
     def order(self, name, *data):
         """Calls a service of the node; whether it was done, and the message."""
@@ -52,9 +62,9 @@ class SteeringCase(unittest.TestCase):
     def set_state(self, state):
         self.state.publish(LocalizationState(state=state))
 
-    def send_pose(self, x, y, yaw, age=0.0, frame="map"):
+    def send_pose(self, x, y, yaw, age=0.0, frame="map", stamp=None):
         message = Odometry()
-        message.header.stamp = rospy.Time.now() - rospy.Duration(age)
+        message.header.stamp = stamp or rospy.Time.now() - rospy.Duration(age)
         message.header.frame_id = frame
         message.pose.pose.position.x = x
         message.pose.pose.position.y = y

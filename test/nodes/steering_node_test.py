@@ -5,11 +5,11 @@ import time
 
 import rospy
 import rostest
-from geometry_msgs.msg import Pose, PoseArray
+from geometry_msgs.msg import PoseArray
 from multipath_localization.msg import LocalizationState
 from visualization_msgs.msg import MarkerArray
 
-from steering_case import Last, SteeringCase, wait_for_subscribers
+from steering_case import Last, SteeringCase, wait_for_subscribers, waypoint_array
 
 SQUARE = [(10, 0), (10, 10), (0, 10), (0, 0)]
 
@@ -20,20 +20,18 @@ class SteeringNodeTest(SteeringCase):
         super().setUpClass()
         cls.waypoints = rospy.Publisher("waypoints", PoseArray, queue_size=10)
         cls.markers = Last("steering/markers", MarkerArray)
-        wait_for_subscribers(cls.waypoints)
+        wait_for_subscribers(cls.pose, cls.state, cls.waypoints)
 
     def setUp(self):
-        self.set_waypoints(SQUARE)
         self.set_state(LocalizationState.GOOD)
+        self.order("stop")
+        self.set_waypoints(SQUARE)
+        end = time.time() + 5.0
+        while not self.order("start")[0] and time.time() < end:
+            time.sleep(0.05)
 
-    def set_waypoints(self, points, frame="map"):
-        message = PoseArray()
-        message.header.frame_id = frame
-        for x, y in points:
-            pose = Pose()
-            pose.position.x, pose.position.y, pose.orientation.w = x, y, 1.0
-            message.poses.append(pose)
-        self.waypoints.publish(message)
+    def set_waypoints(self, points, **how):
+        self.waypoints.publish(waypoint_array(points, **how))
 
     def test_drives_towards_the_waypoint(self):
         command = self.expect("driving", 0.0, -1.0, 0.0)
@@ -57,6 +55,20 @@ class SteeringNodeTest(SteeringCase):
         self.expect("driving")
         self.assertEqual(self.expect("stopped: pose is 3", age=3.0).speed, 0.0)
         self.assertEqual(self.cmd_vel.message.linear.x, 0.0)
+
+    def test_stops_on_a_pose_of_another_century(self):
+        for stamp in (rospy.Time(4294967000), rospy.Time(0, 1)):
+            self.expect("driving")
+            self.assertEqual(self.expect("stopped: pose is", stamp=stamp).speed, 0.0)
+        self.assertEqual(self.expect("driving").speed, 1.0)
+
+    def test_drives_straight_after_a_restart_of_the_localisation(self):
+        self.assertEqual(self.expect("driving", yaw=2.0).speed, 1.0)
+        self.set_state(LocalizationState.NOT_READY)  # over before the next pose
+        self.set_state(LocalizationState.ALIGNING)
+        time.sleep(0.2)  # the pose of before is not what the distance is counted from
+        command = self.expect("slow: heading", x=50.0, yaw=2.0)
+        self.assertEqual((command.speed, command.steering_angle), (0.5, 0.0))
 
     def test_stops_when_lost_and_resumes(self):
         self.expect("driving")
@@ -103,6 +115,25 @@ class SteeringNodeTest(SteeringCase):
     def test_without_waypoints_stands(self):
         self.set_waypoints([])
         self.assertEqual(self.expect("stopped: no waypoints").speed, 0.0)
+
+    def test_waypoints_delivered_again_restart_nothing(self):
+        self.expect("driving", 5.0, 5.0)
+        self.assertEqual(self.order("skip"), (True, "next is waypoint 2 of 4"))
+        self.set_waypoints(SQUARE)
+        self.set_waypoints(SQUARE, stamp=rospy.Time(100))
+        self.expect("driving", 5.0, 5.0)
+        self.assertEqual(self.order("skip"), (True, "next is waypoint 3 of 4"))
+        self.assertTrue(self.order("loop", False)[0])
+        try:
+            self.order("skip")
+            self.order("skip")
+            self.set_waypoints(SQUARE, stamp=rospy.Time(100))
+            time.sleep(0.3)
+            self.assertEqual(self.expect("finished", 5.0, 5.0).speed, 0.0)
+            self.set_waypoints(SQUARE, stamp=rospy.Time(101))
+            self.assertEqual(self.expect("driving", 5.0, 5.0).speed, 1.0)
+        finally:
+            self.order("loop", True)
 
     def test_obeys_its_owner(self):
         self.expect("driving")

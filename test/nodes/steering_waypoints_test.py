@@ -6,10 +6,10 @@ import time
 
 import rospy
 import rostest
-from geometry_msgs.msg import PointStamped, PoseStamped
+from geometry_msgs.msg import PointStamped, PoseArray, PoseStamped
 from multipath_localization.msg import LocalizationState
 
-from steering_case import SteeringCase, wait_for_subscribers
+from steering_case import SteeringCase, wait_for_subscribers, waypoint_array
 
 LATITUDE, LONGITUDE = 35.0, 139.0
 DEGREE = 110941.0  # of latitude there [m]
@@ -22,8 +22,9 @@ class SteeringWaypointsTest(SteeringCase):
         cls.file = rospy.get_param("steering/waypoint_file")
         shutil.rmtree(os.path.dirname(cls.file), ignore_errors=True)
         cls.origin = rospy.Publisher("local_xy_origin", PoseStamped, queue_size=1, latch=True)
+        cls.waypoints = rospy.Publisher("waypoints", PoseArray, queue_size=1)
         cls.clicked = rospy.Publisher("clicked_point", PointStamped, queue_size=10)
-        wait_for_subscribers(cls.origin, cls.clicked)
+        wait_for_subscribers(cls.pose, cls.state, cls.origin, cls.waypoints, cls.clicked)
 
     @classmethod
     def tearDownClass(cls):
@@ -36,6 +37,10 @@ class SteeringWaypointsTest(SteeringCase):
         self.origin.publish(message)
         time.sleep(0.3)
 
+    def set_waypoints(self, points):
+        self.waypoints.publish(waypoint_array(points))
+        time.sleep(0.3)
+
     def click(self, x, y, frame="map"):
         message = PointStamped()
         message.header.frame_id = frame
@@ -45,7 +50,7 @@ class SteeringWaypointsTest(SteeringCase):
 
     def test_records_saves_and_drives(self):
         self.set_state(LocalizationState.GOOD)
-        self.assertEqual(self.expect("stopped: waiting for start").speed, 0.0)
+        self.expect("stopped: waiting for start")
         self.assertEqual(self.order("start"), (False, "no waypoints in " + self.file))
         self.assertEqual(self.order("save"), (False, "nothing is recorded"))
         self.set_origin(LATITUDE)
@@ -66,7 +71,7 @@ class SteeringWaypointsTest(SteeringCase):
         self.set_state(LocalizationState.GOOD)
         self.assertEqual(self.order("save"), (True, f"3 waypoints in {self.file}; start drives along them"))
         self.expect_file([0.0, 10.0, 0.0])
-        self.assertEqual(self.expect("stopped: by order", 0.0, 0.0).speed, 0.0)
+        self.expect("stopped: by order", 0.0, 0.0)
 
         self.assertEqual(self.order("start"), (True, "driving from waypoint 1 of 3"))
         ahead = self.expect("driving", 0.0, 0.0)
@@ -82,6 +87,20 @@ class SteeringWaypointsTest(SteeringCase):
         self.assertLess(self.expect("driving", 0.0, 0.0).steering_angle, -0.05)
         self.assertTrue(self.order("stop")[0])
         self.assertEqual(self.expect("stopped: by order", 0.0, 0.0).speed, 0.0)
+
+    def test_waypoints_of_map_stay_where_they_are_on_the_ground(self):
+        self.set_origin(LATITUDE)
+        self.set_state(LocalizationState.GOOD)
+        self.set_waypoints([(20.0, 10.0), (20.0, 30.0)])
+        self.assertTrue(self.order("start")[0])
+        self.assertGreater(self.expect("driving", 0.0, 0.0).steering_angle, 0.05)
+        self.set_origin(LATITUDE + 20.0 / DEGREE)  # the first waypoint now lies 10 m south
+        self.assertLess(self.expect("driving", 0.0, 0.0).steering_angle, -0.05)
+        self.set_origin(LATITUDE + 3.0)
+        self.assertEqual(self.expect("stopped: waypoint 1 is farther than", 0.0, 0.0).speed, 0.0)
+        self.set_origin(LATITUDE)
+        self.assertGreater(self.expect("driving", 0.0, 0.0).steering_angle, 0.05)
+        self.assertTrue(self.order("stop")[0])
 
     def expect_file(self, norths):
         """Waypoints of the file, by their distance north of the origin [m]."""
