@@ -17,6 +17,7 @@ namespace multipath_localization {
 
 namespace {
 
+constexpr double kSayZeroFor = 1.0;  ///< when ordered to stand [s]
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// What is not one of the known states is not to be driven by.
@@ -97,9 +98,20 @@ void SteeringNode::watch() {
 void SteeringNode::drive() {
   const ros::Time now = ros::Time::now();
   const FollowerOutput output = mission_.command(pose_, pose_age(now), trust_);
-  publish(output.command, now);
+  if (!leaves_to_others()) publish(output.command, now);
   report(output.status);
 }
+
+bool SteeringNode::leaves_to_others() {
+  if (!mission_.stands()) {
+    standing_since_ = {};
+    return false;
+  }
+  if (standing_since_.isZero()) standing_since_ = ros::SteadyTime::now();
+  return (ros::SteadyTime::now() - standing_since_).toSec() > kSayZeroFor;
+}
+
+void SteeringNode::halt() { publish({}, ros::Time::now()); }
 
 void SteeringNode::publish(const MotionCommand& command, const ros::Time& now) {
   SteeringCommand steering;

@@ -20,10 +20,18 @@
 namespace multipath_localization {
 
 /// WaypointMission on topics and services: a command leaves with every pose, and a stop when poses cease.
+/// When it stands by order, or at the end of the way, stops leave for a second only: others may drive the
+/// robot then.
+///
+/// Waypoints in x and y stay where they are on the ground when map's origin moves. An array of them that
+/// comes again restarts nothing: WaypointMission::offer_waypoints.
 class SteeringNode {
  public:
   SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                const SteeringSettings& settings);
+
+  /// A last command, zero: the one before would hold for ever.
+  void halt();
 
  private:
   void advertise(ros::NodeHandle& node, ros::NodeHandle& private_node);
@@ -32,17 +40,20 @@ class SteeringNode {
              const std::function<Answer()>& carry_out);
   Answer obey(const std::string& order, const Answer& answer);
   void take_pose(const nav_msgs::Odometry& message);
+  /// That the pose is unknown counts at once, even if it is over before the next pose; all else with that.
+  void take_state(const LocalizationState& message);
   void take_origin(const geometry_msgs::PoseStamped& message);
   void take_waypoints(const geometry_msgs::PoseArray& message);
   void place_waypoints();
   void take_clicked_point(const geometry_msgs::PointStamped& message);
+  Answer stop();
   Answer record_pose();
   Answer record(const Eigen::Vector2d& in_map);
   Answer save();
   void watch();
-  /// That the pose is unknown counts at once, even if it is over before the next pose; all else with that.
-  void take_state(const LocalizationState& message);
   void drive();
+  /// Whether it stands for long enough: zero for ever would fight with who drives by hand.
+  bool leaves_to_others();
   void publish(const MotionCommand& command, const ros::Time& now);
   void report(const std::string& status);
   /// By its stamp, or, where that is longer, since it arrived: a clock that stands still ages nothing. NaN

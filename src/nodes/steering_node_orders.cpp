@@ -16,7 +16,7 @@ void SteeringNode::offer_orders(ros::NodeHandle& private_node) {
   offer(private_node, "pause", [this] { return mission_.pause(); });
   offer(private_node, "resume", [this] { return mission_.resume(); });
   offer(private_node, "skip", [this] { return mission_.skip(); });
-  offer(private_node, "stop", [this] { return mission_.stop(); });
+  offer(private_node, "stop", [this] { return stop(); });
   offer(private_node, "record", [this] { return record_pose(); });
   offer(private_node, "save", [this] { return save(); });
   using Loop = std_srvs::SetBool;
@@ -53,6 +53,11 @@ void SteeringNode::take_clicked_point(const geometry_msgs::PointStamped& message
     return;
   }
   obey("clicked point", record({message.point.x, message.point.y}));
+}
+
+Answer SteeringNode::stop() {
+  standing_since_ = {};  // zero is said again, whoever drives
+  return mission_.stop();
 }
 
 Answer SteeringNode::record_pose() {
