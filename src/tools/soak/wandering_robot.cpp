@@ -10,13 +10,13 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kReach = 300.0;       ///< from home [m]
-constexpr double kAcceleration = 1.0;  ///< [m/s^2]
-constexpr double kSpeed = 2.0;         ///< forwards, at most [m/s]
-constexpr double kBackwards = 0.7;     ///< [m/s]
-constexpr double kYawRate = 0.4;       ///< at most [rad/s]
-constexpr double kLeg = 40.0;          ///< at most [s]
-constexpr double kStand = 300.0;       ///< at most [s]
+constexpr double kRoamsWithin = 300.0;  ///< of home [m]
+constexpr double kAcceleration = 1.0;   ///< [m/s^2]
+constexpr double kSpeed = 2.0;          ///< forwards, at most [m/s]
+constexpr double kBackwards = 0.7;      ///< [m/s]
+constexpr double kYawRate = 0.4;        ///< at most [rad/s]
+constexpr double kLeg = 40.0;           ///< at most [s]
+constexpr double kStand = 300.0;        ///< at most [s]
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void WanderingRobot::begin_leg() {
     target_speed_ = yaw_rate_ = 0.0;
     left_ = kStand * random.uniform();
   }
-  if (pose_.position().norm() < kReach) return;
+  if (pose_.position().norm() < kRoamsWithin) return;
   const double homewards = angle_difference(std::atan2(-pose_.y, -pose_.x), pose_.yaw);
   target_speed_ = kSpeed;
   left_ = 1.0 + std::abs(homewards) / kYawRate;
