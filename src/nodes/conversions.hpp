@@ -27,6 +27,9 @@ bool is_short(const std::string& frame);
 /// The name, cut off where it is too long.
 std::string shown(const std::string& frame);
 
+/// ros::Time ends soon after, and throws [s]. Its differences throw beyond 2^31 s: take those of toSec().
+constexpr double kLatestStamp = 4.1e9;
+
 /// How fixes are read.
 struct FixParameters {
   double default_sigma = 3.0;

@@ -105,8 +105,8 @@ class LocalizationNode {
   HeldOdometry held_;
 
   bool enabled_ = true;
-  bool started_ = false;  ///< odometry was there
-  ros::Time pose_saved_;
+  bool started_ = false;     ///< odometry was there
+  double pose_saved_ = 0.0;  ///< stamp of that odometry [s]
   ros::Time latest_clock_;
   std::optional<ReadOdometry> odometry_;      ///< the last one accepted
   std::deque<ReadOdometry> unanswered_;       ///< those of the last moments without a pose as yet

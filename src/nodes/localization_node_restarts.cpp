@@ -96,12 +96,12 @@ void LocalizationNode::resume() {
 }
 
 void LocalizationNode::save_pose(const PoseEstimate& estimate) {
-  const ros::Time stamp = odometry_stamp();
-  if (parameters_.pose_file.empty() || std::abs((stamp - pose_saved_).toSec()) < kSaveEvery) return;
+  const double stamp = odometry_stamp().toSec();
+  if (parameters_.pose_file.empty() || std::abs(stamp - pose_saved_) < kSaveEvery) return;
   pose_saved_ = stamp;
   try {
     write_saved_pose(parameters_.pose_file,
-                     {datum_.map()->datum(), stamp.toSec(), estimate.pose, covariance_overall(estimate),
+                     {datum_.map()->datum(), stamp, estimate.pose, covariance_overall(estimate),
                       odometry_->base_in_odom, estimate.aligned});
   } catch (const std::runtime_error& error) {
     ROS_ERROR_THROTTLE(kTellSaving, "the pose is not saved: %s", error.what());

@@ -15,9 +15,10 @@ void MapToOdom::send(const Pose2& odom_in_map, const Pose2& base_in_odom, const 
 }
 
 void MapToOdom::keep_up(const ros::Time& now, double longest_silence) {
-  if (!odom_in_map_ || now < arrival_ || (now - arrival_).toSec() > longest_silence) return;
-  const ros::Time stamp = odometry_stamp_ + (now - arrival_) + ros::Duration(outputs_.transform_tolerance);
-  if (stamp > last_sent_ && (stamp - last_sent_).toSec() > 0.5 / outputs_.tf_rate) broadcast(stamp);
+  const double silence = now.toSec() - arrival_.toSec();
+  if (!odom_in_map_ || silence < 0.0 || silence > longest_silence) return;
+  const ros::Time stamp = odometry_stamp_ + ros::Duration(silence + outputs_.transform_tolerance);
+  if (stamp.toSec() - last_sent_.toSec() > 0.5 / outputs_.tf_rate) broadcast(stamp);
 }
 
 void MapToOdom::broadcast(const ros::Time& stamp) {

@@ -10,7 +10,6 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kFirstInterval = 1e-3;
-constexpr double kLatestStamp = 4.1e9;  ///< ros::Time ends soon after, and throws
 
 bool finite(const nav_msgs::Odometry& message) {
   const auto& position = message.pose.pose.position;

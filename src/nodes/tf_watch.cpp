@@ -1,15 +1,26 @@
 #include "nodes/tf_watch.hpp"
 
+#include <ros/console.h>
 #include <ros/this_node.h>
 #include <tf2/exceptions.h>
 
 #include <cmath>
+
+#include "nodes/conversions.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
 constexpr double kStillThere = 5.0;  ///< [s]
+constexpr double kTellEvery = 5.0;   ///< [s]
+
+/// Whether tf2's buffer can take it: it refuses NaN and quaternions not of length one by itself, but throws
+/// on stamps near the end of ros::Time.
+bool usable(const geometry_msgs::TransformStamped& transform, bool is_static) {
+  return is_short(transform.child_frame_id) && is_short(transform.header.frame_id) &&
+         (is_static || transform.header.stamp.toSec() <= kLatestStamp);
+}
 
 }  // namespace
 
@@ -31,7 +42,12 @@ void TfWatch::on_transforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& 
   if (broadcaster == ros::this_node::getName()) return;
   for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
     const std::string child = without_slash(transform.child_frame_id);
-    if (!is_short(child) || !is_short(transform.header.frame_id)) continue;
+    if (!usable(transform, is_static)) {
+      ROS_WARN_THROTTLE(kTellEvery,
+                        "transform to %s by %s refused: its names are too long or it is stamped %.0f s",
+                        shown(child).c_str(), broadcaster.c_str(), transform.header.stamp.toSec());
+      continue;
+    }
     if (child == frames_.odom_frame || child == frames_.base_link_frame) {
       broadcasters_[child] = {broadcaster, ros::WallTime::now(), is_static};
     }

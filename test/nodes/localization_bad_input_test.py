@@ -92,9 +92,10 @@ class LocalizationBadInput(unittest.TestCase):
             self.diagnostics[entry.name.split(': ')[-1]] = entry
 
     def test_storm(self):
-        robot = Robot(seed=1)
+        robot = Robot(seed=1, start=2.2e9)  # later than the longest ros::Duration
         self.session.begin(robot)
         self.session.drive(robot, 20.0)
+        self.storm_of_transforms()
         self.storm_of_fixes(robot)
         self.storm_of_odometry(robot)
         self.storm_of_poses(robot)
@@ -138,6 +139,20 @@ class LocalizationBadInput(unittest.TestCase):
         self.assertEqual(self.diagnostics['fix'].level, DiagnosticStatus.ERROR)
         self.session.drive(robot, 0.4)
         self.assertEqual(self.session.reports[-1].reason, 'accepted')
+
+    def storm_of_transforms(self):
+        broadcaster = tf2_ros.TransformBroadcaster()
+        self.session.wait(broadcaster.pub_tf.get_num_connections, 'the subscriber of tf')
+        for stamp, path, value in ((4294967290, (), None), (4294967295, (), None), (0, ('rotation', 'w'), NAN),
+                                   (0, ('rotation', 'w'), 7.0), (0, ('rotation', 'w'), INFINITY),
+                                   (0, ('translation', 'x'), NAN), (0, ('translation', 'x'), INFINITY)):
+            transform = TransformStamped()
+            transform.header.frame_id, transform.child_frame_id = 'base_link', 'gps'
+            transform.header.stamp = rospy.Time(stamp)
+            transform.transform.rotation.w = 1.0
+            if path:
+                spoil(transform.transform, path, value)
+            broadcaster.sendTransform(transform)
 
     def storm_of_fixes(self, robot):
         for change, reason in FIXES * 2:

@@ -31,6 +31,13 @@ TEST(CheckTwist, FindsSignAndScale) {
   EXPECT_TRUE(ToFix(check_twist(degrees), "twist.angular.z is 57.3", "times 0.017"));
 }
 
+TEST(CheckTwist, ReadsStampsThatLeapFurtherThanADurationReaches) {
+  Observations seen = healthy_robot();
+  for (std::size_t i = 0; i < seen.odometry.size() / 2; ++i)
+    seen.odometry[i].message.header.stamp.sec += 3000000000;
+  EXPECT_TRUE(Passes(check_twist(seen)));
+}
+
 TEST(CheckTwist, FindsASpeedWithoutSignInReverse) {
   Observations seen = healthy_robot();
   double x = 0.0;

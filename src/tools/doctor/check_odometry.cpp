@@ -29,7 +29,7 @@ struct TwistComparison {
 };
 
 void compare(const nav_msgs::Odometry& before, const nav_msgs::Odometry& now, TwistComparison& all) {
-  const double duration = (now.header.stamp - before.header.stamp).toSec();
+  const double duration = now.header.stamp.toSec() - before.header.stamp.toSec();
   const std::optional<Pose2> from = to_pose2(before.pose.pose);
   const std::optional<Pose2> to = to_pose2(now.pose.pose);
   if (duration <= 0.0 || !from || !to) return;

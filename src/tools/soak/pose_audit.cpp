@@ -77,7 +77,7 @@ void PoseAudit::compare(const nav_msgs::Odometry& message, const Pose2& truth) {
   figures_.largest = std::max(figures_.largest, error.norm());
   const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
   if (error.dot(position.llt().solve(error)) <= 9.0 || stamp < inside_) inside_ = stamp;
-  figures_.longest_beyond = std::max(figures_.longest_beyond, (stamp - inside_).toSec());
+  figures_.longest_beyond = std::max(figures_.longest_beyond, stamp.toSec() - inside_.toSec());
 }
 
 void PoseAudit::fault(const std::string& what, const ros::Time& stamp) {
