@@ -15,6 +15,12 @@ constexpr double kSaveEvery = 1.0;    ///< [s]
 constexpr double kTellSaving = 60.0;  ///< [s]
 constexpr double kSameDatum = 0.01;   ///< two are one within this [m]
 
+/// `message` has its motion in its twist.
+OdometryState state_of(const nav_msgs::Odometry& message, const Pose2& base_in_odom) {
+  const geometry_msgs::Twist& twist = message.twist.twist;
+  return {message.header.stamp.toSec(), base_in_odom, twist.linear.x, twist.angular.z};
+}
+
 }  // namespace
 
 bool LocalizationNode::set_pose(const geometry_msgs::PoseWithCovarianceStamped& message) {
@@ -81,14 +87,17 @@ void LocalizationNode::resume() {
   try {
     const std::optional<SavedPose> saved = read_saved_pose(parameters_.pose_file);
     if (!saved) return;
-    const auto answer =
-        resumed(*saved, odometry_stamp().toSec(), odometry_->base_in_odom, parameters_.pose_file_max_age);
+    const OdometryState now = state_of(odometry_->message, odometry_->base_in_odom);
+    const auto answer = resumed(*saved, now, parameters_.pose_file_max_age);
     if (const auto* why = std::get_if<std::string>(&answer)) throw ParameterError(*why);
     if (!datum_.map()) datum_.set(saved->datum);
     if (datum_.map()->to_map(saved->datum).norm() > kSameDatum)
       throw ParameterError("its map has another datum");
     map_services_.tell_origin(odometry_stamp());
-    restart("at the pose that the last run saved", std::get<PosePrior>(answer));
+    const auto& prior = std::get<PosePrior>(answer);
+    restart(prior.confirmed ? "at the pose that the last run saved"
+                            : "near the pose that the last run saved, to be confirmed",
+            prior);
   } catch (const std::exception& error) {
     ROS_WARN("pose saved in %s does not count: %s", parameters_.pose_file.c_str(), error.what());
     diagnostics_.note("the saved pose does not count: " + std::string(error.what()));
@@ -101,8 +110,8 @@ void LocalizationNode::save_pose(const PoseEstimate& estimate) {
   pose_saved_ = stamp;
   try {
     write_saved_pose(parameters_.pose_file,
-                     {datum_.map()->datum(), stamp, estimate.pose, covariance_overall(estimate),
-                      odometry_->base_in_odom, estimate.aligned});
+                     {datum_.map()->datum(), estimate.pose, covariance_overall(estimate),
+                      state_of(odometry_->message, odometry_->base_in_odom), estimate.aligned});
   } catch (const std::runtime_error& error) {
     ROS_ERROR_THROTTLE(kTellSaving, "the pose is not saved: %s", error.what());
   }

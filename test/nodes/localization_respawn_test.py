@@ -7,6 +7,7 @@ import tempfile
 import unittest
 
 import rospy
+import yaml
 from roslib.packages import find_node
 
 from synthetic_drive import Robot, Session
@@ -32,12 +33,19 @@ class RespawnTest(unittest.TestCase):
             session.close()
 
     def lived(self, robot):
-        """A first life until the pose is confirmed."""
+        """A first life until the pose is confirmed and the last one is on the disk."""
         def use(session):
             session.begin(robot)
             session.drive(robot, 25.0)
             self.assertEqual(session.states[-1].name, 'GOOD')
+            session.wait(lambda: self.saved_stamp() > robot.stamp - 1.5, 'the file')
         self.run_node(use)
+
+    def saved_stamp(self):
+        if not os.path.exists(self.file):
+            return 0.0
+        with open(self.file, encoding='utf-8') as file:
+            return yaml.safe_load(file)['stamp']
 
     def test_goes_on_at_the_first_odometry(self):
         robot = Robot(seed=3, noise=0.1)
@@ -50,6 +58,24 @@ class RespawnTest(unittest.TestCase):
             pose = session.send_odometry(robot.odometry())
             self.assertLess(robot.error_of(pose.pose.pose), 0.8, 'metres, before any fix')
             pose = session.drive(robot, 5.0)[-1]
+            self.assertLess(robot.error_of(pose.pose.pose), 0.8, 'metres')
+            session.wait(lambda: session.states[-1].name == 'GOOD', 'the state')
+        self.run_node(use)
+
+    def test_a_pose_is_confirmed_anew_where_the_odometry_has_begun_anew(self):
+        robot = Robot(seed=6, noise=0.1, speed=0.75, yaw_rate=0.05)
+        self.lived(robot)
+        robot.stamp += 3.0
+        robot.start = (robot.x, robot.y, robot.yaw)
+
+        def use(session):
+            pose = session.send_odometry(robot.odometry())
+            self.assertLess(robot.error_of(pose.pose.pose), 1.0, 'metres, before any fix')
+            self.assertGreater(pose.pose.covariance[0], 2.2 ** 2, 'square metres, which it may have come')
+            session.drive(robot, 1.0)
+            session.wait(lambda: session.states[-1].name == 'ALIGNING', 'the state')
+            self.assertNotIn('GOOD', [state.name for state in session.states])
+            pose = session.drive(robot, 30.0)[-1]
             self.assertLess(robot.error_of(pose.pose.pose), 0.8, 'metres')
             session.wait(lambda: session.states[-1].name == 'GOOD', 'the state')
         self.run_node(use)
