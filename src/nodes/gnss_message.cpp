@@ -61,12 +61,12 @@ const std_msgs::Header& header(const Message& message) {
 
 void GnssParameters::fields(ParameterVisitor& field) {
   field("antenna", antenna, {-100.0, 100.0}, "m",
-        "a lone antenna whose frame tf does not know is here on the base, forwards and to the left; empty: "
-        "at the base");
+        "a lone antenna whose frame tf does not place on the robot is here on the base, forwards and to the "
+        "left; empty: at the base");
   if (!antenna.empty() && antenna.size() != 2) throw ParameterError("antenna is not [forwards, to the left]");
-  field(
-      "require_antenna_transform", require_antenna_transform,
-      "refuse fixes whose frame tf does not know, instead of taking the antenna to be where `antenna` says");
+  field("require_antenna_transform", require_antenna_transform,
+        "refuse fixes whose frame tf does not place on the robot, instead of taking the antenna to be where "
+        "`antenna` says");
   field("pair_tolerance", pair_tolerance, {0.0, 1.0}, "s",
         "fixes of the left and the right antenna whose stamps differ by more are of two instants");
   field("delay", delay, {-2.0, 2.0}, "s",

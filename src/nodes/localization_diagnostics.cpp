@@ -159,7 +159,7 @@ void LocalizationDiagnostics::report_filter(Status& status) {
 void LocalizationDiagnostics::report_tf(Status& status) {
   const FrameParameters& frames = parameters_.frames;
   std::string unknown;
-  for (const std::string& frame : unknown_antenna_frames_) unknown += " " + frame;
+  for (const std::string& frame : unknown_antenna_frames_) unknown += " " + tf_.described(frame);
   if (!tf_.broadcaster_of_odom().empty() && parameters_.outputs.publish_tf) {
     status.summary(DiagnosticStatus::ERROR, tf_.broadcaster_of_odom() + " broadcasts a parent of " +
                                                 frames.odom_frame +

@@ -64,7 +64,8 @@ Reason LocalizationNode::hand_over(const GnssMessage& message) {
 std::optional<Eigen::Vector2d> LocalizationNode::antenna_in_base(const std::string& frame) {
   const std::optional<Eigen::Vector2d> antenna = tf_.origin_in_base(frame);
   if (diagnostics_.set_antenna_frame(frame, antenna || !parameters_.gnss.antenna.empty())) {
-    ROS_WARN("no transform from %s to %s%s", parameters_.frames.base_link_frame.c_str(), frame.c_str(),
+    ROS_WARN("no transform from %s to %s%s", parameters_.frames.base_link_frame.c_str(),
+             tf_.described(frame).c_str(),
              parameters_.gnss.require_antenna_transform ? "" : ": a lone antenna is taken to be at the base");
   }
   return antenna;

@@ -4,6 +4,7 @@
 #include <ros/this_node.h>
 #include <tf2/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "nodes/conversions.hpp"
@@ -70,6 +71,7 @@ std::optional<Eigen::Vector2d> TfWatch::origin_in_base(const std::string& frame)
   if (name.empty() || name == frames_.base_link_frame) return Eigen::Vector2d::Zero();
   const auto known = found_.find(name);
   if (known != found_.end()) return known->second;
+  if (!rides_on_robot(name)) return {};
   try {
     const auto origin =
         buffer_.lookupTransform(frames_.base_link_frame, name, ros::Time()).transform.translation;
@@ -78,6 +80,36 @@ std::optional<Eigen::Vector2d> TfWatch::origin_in_base(const std::string& frame)
   } catch (const tf2::TransformException&) {
     return {};
   }
+}
+
+std::string TfWatch::described(const std::string& frame) const {
+  return frame + (rides_on_robot(without_slash(frame)) ? "" : " (which does not ride on the robot)");
+}
+
+std::vector<std::string> TfWatch::with_ancestors(const std::string& frame) const {
+  std::vector<std::string> line = {frame};
+  std::string parent;
+  while (line.size() < tf2::BufferCore::MAX_GRAPH_DEPTH &&
+         buffer_._getParent(line.back(), ros::Time(), parent)) {
+    line.push_back(parent);
+  }
+  return line;
+}
+
+bool TfWatch::rides_on_robot(const std::string& frame) const {
+  const auto stays = [this](const std::string& f) {
+    return f == frames_.odom_frame || f == frames_.map_frame;
+  };
+  if (stays(frame)) return false;
+  const std::vector<std::string> line = with_ancestors(frame);
+  bool rides = true;
+  for (const std::string& carrier : with_ancestors(frames_.base_link_frame)) {
+    const auto joint = std::find(line.begin(), line.end(), carrier);
+    rides = rides && !stays(carrier);
+    if (joint != line.end()) return rides && std::none_of(line.begin(), joint, stays);
+    rides = rides && static_transforms_.count(carrier) > 0;
+  }
+  return true;
 }
 
 void TfWatch::clear() {

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "nodes/localization_parameters.hpp"
 
@@ -19,8 +20,12 @@ class TfWatch {
   TfWatch(ros::NodeHandle node, const FrameParameters& frames);
 
   /// Origin of `frame` in the base's frame [m], the rotation is not looked at. An empty frame and the base's
-  /// own give zero; nothing when tf does not know. What was found once is kept: an antenna does not move.
+  /// own give zero; nothing when tf does not know or the frame does not ride on the robot. What was found
+  /// once is kept: an antenna does not move.
   std::optional<Eigen::Vector2d> origin_in_base(const std::string& frame);
+
+  /// The name of a frame that has no origin in the base's, with the reason where tf tells one.
+  [[nodiscard]] std::string described(const std::string& frame) const;
 
   /// The other node that gives odom_frame or base_link_frame a parent, empty for none in the last seconds.
   [[nodiscard]] std::string broadcaster_of_odom() const { return broadcaster_of(frames_.odom_frame); }
@@ -37,6 +42,11 @@ class TfWatch {
   };
 
   [[nodiscard]] std::string broadcaster_of(const std::string& child) const;
+  /// That frame and those above it, up to the root of the tree.
+  [[nodiscard]] std::vector<std::string> with_ancestors(const std::string& frame) const;
+  /// False for odom and map and where tf joins the frame and the base by either, or by a transform above the
+  /// base that is not static: it moves the robot.
+  [[nodiscard]] bool rides_on_robot(const std::string& frame) const;
   void on_transforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event, bool is_static);
 
   FrameParameters frames_;

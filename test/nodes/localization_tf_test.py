@@ -7,6 +7,7 @@ import unittest
 import rospy
 import rostest
 import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
 from synthetic_drive import Robot, Session, antenna_transform, yaw_of
 from tf2_msgs.msg import TFMessage
@@ -17,6 +18,8 @@ class LocalizationTf(unittest.TestCase):
         self.transforms, self.strangers = [], set()
         self.clock = rospy.Publisher('/clock', Clock, queue_size=100, tcp_nodelay=True)
         self.tf = rospy.Subscriber('/tf', TFMessage, self.on_tf, tcp_nodelay=True)
+        self.tf_status = ''
+        self.diagnostics = rospy.Subscriber('/diagnostics', DiagnosticArray, self.on_diagnostics)
         self.static_tf = tf2_ros.StaticTransformBroadcaster()
         self.static_tf.sendTransform(antenna_transform('gps', 1.0, 0.4, yaw=0.3))
         self.session = Session()
@@ -27,6 +30,11 @@ class LocalizationTf(unittest.TestCase):
                 self.transforms.append(transform)
             else:
                 self.strangers.add((transform.header.frame_id, transform.child_frame_id))
+
+    def on_diagnostics(self, message):
+        for entry in message.status:
+            if entry.name.endswith(': tf'):
+                self.tf_status = entry.message
 
     def tick(self, stamp):
         self.clock.publish(Clock(rospy.Time.from_sec(stamp)))
@@ -54,7 +62,33 @@ class LocalizationTf(unittest.TestCase):
         self.check_composition(poses)
         self.assertEqual(self.strangers, set(), 'map -> odom alone')
         self.assertLess(robot.error_of(pose.pose.pose), 0.6, 'metres; the antenna is 1.08 m off')
+        self.check_frames_that_do_not_ride(robot)
         self.check_leap(robot)
+
+    def check_frames_that_do_not_ride(self, robot):
+        static_tf, moving_tf = tf2_ros.StaticTransformBroadcaster(), tf2_ros.TransformBroadcaster()
+        self.session.wait(lambda: moving_tf.pub_tf.get_num_connections() >= 2, 'the subscriber of tf')  # and this test
+        footprint, low, beacon, carried = (antenna_transform(child, x, y) for child, x, y in (
+            ('base_link', 0.0, 0.0), ('low', 1.0, 0.4), ('beacon', 1.0, 0.4), ('base_footprint', 5.0, 0.0)))
+        footprint.header.frame_id = low.header.frame_id = 'base_footprint'
+        beacon.header.frame_id = carried.header.frame_id = 'robot_odom'
+        moving_tf.sendTransform(carried)
+        static_tf.sendTransform([footprint, low, beacon])
+        while self.reason_of(robot, 'low') != 'accepted':  # the transforms may be under way
+            moving_tf.sendTransform(carried)
+        self.assertEqual(self.reason_of(robot, 'beacon'), 'invalid frame')
+        self.assertEqual(self.reason_of(robot, 'robot_odom'), 'invalid frame', 'by another name than the parameter says')
+        self.assertEqual(self.reason_of(robot, '/odom'), 'invalid frame')
+        self.assertEqual(self.reason_of(robot, 'base_footprint'), 'accepted')
+        self.session.wait(lambda: 'beacon (which does not ride on the robot)' in self.tf_status, 'diagnostics')
+
+    def reason_of(self, robot, frame):
+        """What becomes of a fix of an antenna of that frame."""
+        robot.step()
+        self.session.send_odometry(robot.odometry())
+        fix = robot.fix()
+        fix.header.frame_id = frame
+        return self.session.send_fix(fix).reason
 
     def check_leap(self, robot):
         for _ in range(5):
