@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "nodes/background_writer.hpp"
 #include "nodes/backlog.hpp"
 #include "nodes/datum.hpp"
 #include "nodes/estimate_messages.hpp"
@@ -80,6 +81,7 @@ class LocalizationNode {
   void forget(const std::string& why);
   /// Goes on from the saved pose at the first odometry, or says why not.
   void resume();
+  /// Once a second, without waiting for the disk.
   void save_pose(const PoseEstimate& estimate);
   void watch_clock();
   /// Shows all that may change while it runs to a visitor that may change it.
@@ -103,6 +105,7 @@ class LocalizationNode {
   Reconfiguration reconfiguration_;
   Backlog backlog_;
   HeldOdometry held_;
+  BackgroundWriter pose_writer_;
 
   bool enabled_ = true;
   bool started_ = false;     ///< odometry was there

@@ -21,6 +21,14 @@ OdometryState state_of(const nav_msgs::Odometry& message, const Pose2& base_in_o
   return {message.header.stamp.toSec(), base_in_odom, twist.linear.x, twist.angular.z};
 }
 
+void save(const std::string& file, const SavedPose& pose) {
+  try {
+    write_saved_pose(file, pose);
+  } catch (const std::exception& error) {
+    ROS_ERROR_THROTTLE(kTellSaving, "the pose is not saved: %s", error.what());
+  }
+}
+
 }  // namespace
 
 bool LocalizationNode::set_pose(const geometry_msgs::PoseWithCovarianceStamped& message) {
@@ -108,13 +116,9 @@ void LocalizationNode::save_pose(const PoseEstimate& estimate) {
   const double stamp = odometry_stamp().toSec();
   if (parameters_.pose_file.empty() || std::abs(stamp - pose_saved_) < kSaveEvery) return;
   pose_saved_ = stamp;
-  try {
-    write_saved_pose(parameters_.pose_file,
-                     {datum_.map()->datum(), estimate.pose, covariance_overall(estimate),
-                      state_of(odometry_->message, odometry_->base_in_odom), estimate.aligned});
-  } catch (const std::runtime_error& error) {
-    ROS_ERROR_THROTTLE(kTellSaving, "the pose is not saved: %s", error.what());
-  }
+  const SavedPose pose{datum_.map()->datum(), estimate.pose, covariance_overall(estimate),
+                       state_of(odometry_->message, odometry_->base_in_odom), estimate.aligned};
+  pose_writer_.write([file = parameters_.pose_file, pose] { save(file, pose); });
 }
 
 void LocalizationNode::watch_clock() {

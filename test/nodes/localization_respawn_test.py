@@ -21,14 +21,14 @@ class RespawnTest(unittest.TestCase):
         node = find_node('multipath_localization', 'localization_node')[0]
         self.command = [node, '__name:=localization', '__ns:=mortal', '_pose_file:=' + self.file]
 
-    def run_node(self, use):
-        """Starts the node, lets `use` talk with it, and kills it as a crash would."""
+    def run_node(self, use, end=signal.SIGKILL):
+        """Starts the node, lets `use` talk with it, and ends it, by default as a crash would."""
         process = subprocess.Popen(self.command)
         session = Session('mortal/')
         try:
             use(session)
         finally:
-            process.send_signal(signal.SIGKILL)
+            process.send_signal(end)
             process.wait(10.0)
             session.close()
 
@@ -79,6 +79,15 @@ class RespawnTest(unittest.TestCase):
             self.assertLess(robot.error_of(pose.pose.pose), 0.8, 'metres')
             session.wait(lambda: session.states[-1].name == 'GOOD', 'the state')
         self.run_node(use)
+
+    def test_a_node_that_is_told_to_end_leaves_its_last_pose(self):
+        robot = Robot(seed=7, noise=0.1)
+
+        def use(session):
+            session.begin(robot)
+            session.drive(robot, 10.0)  # faster than the disk writes
+        self.run_node(use, signal.SIGINT)
+        self.assertGreater(self.saved_stamp(), robot.stamp - 1.5)
 
     def test_an_old_pose_does_not_count(self):
         robot = Robot(seed=4, noise=0.1)
