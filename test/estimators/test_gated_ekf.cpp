@@ -129,6 +129,24 @@ TEST(GatedEkf, AcceptsAnOffsetThatPersists) {
   }
 }
 
+TEST(GatedEkf, AcceptsAnOffsetThatPersistsInFixesFarApart) {
+  const GatedEkfParameters parameters;
+  MatchedRobot robot(parameters.odometry, 10);
+  GatedEkf filter(parameters);
+  filter.start(prior_at(robot.truth));
+  robot.run(filter, 20.0);
+  bool taken = false;
+  for (int fix = 0; fix < 5 && !taken; ++fix) {
+    const double until = robot.time + 3.0;
+    while (robot.time < until) filter.predict(robot.drive());
+    GnssFix moved = robot.fix();
+    moved.position += Eigen::Vector2d(16.0, -12.0);
+    taken = filter.update(moved).accepted();
+    EXPECT_FALSE(taken && fix < 2) << "an outlier or two";
+  }
+  EXPECT_TRUE(taken);
+}
+
 TEST(GatedEkf, AnOutageIsNoRejection) {
   const GatedEkfParameters parameters;
   MatchedRobot robot(parameters.odometry, 11);

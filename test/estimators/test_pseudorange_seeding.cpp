@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "multipath_localization/estimators/pseudorange_seeding.hpp"
 #include "satellite_drive.hpp"
@@ -49,6 +50,17 @@ TEST(PseudorangeSeeds, FollowAPriorThatIsSure) {
   const AntennaPrior prior{{330.0, -150.0}, 1e-4 * Eigen::Matrix2d::Identity()};
   for (const PseudorangeSeed& seed : seeds(delayed_sky({}), 3, prior)) {
     EXPECT_LT((seed.position.head<2>() - prior.position).norm(), 0.1);
+  }
+}
+
+TEST(PseudorangeSeeds, TakeAPriorKnownAlongALineAlone) {
+  const AntennaPrior prior{kAntenna.head<2>(), Eigen::Matrix2d::Constant(4.0)};
+  const auto all = seeds(delayed_sky({}), 3, prior);
+  EXPECT_FALSE(all.empty());
+  for (const PseudorangeSeed& seed : all) {
+    const Eigen::Vector2d off = seed.position.head<2>() - prior.position;
+    EXPECT_LT(std::abs(off.x() - off.y()), 0.1);
+    EXPECT_LT(off.norm(), 5.0);
   }
 }
 
