@@ -17,12 +17,20 @@ constexpr double kSettledYawSigma = 0.35;        ///< of a heading that is known
 
 }  // namespace
 
+template <class Property>
+double MultipathParticleFilter::probability(Property property) const {
+  double sum = 0.0;
+  for (const BeliefParticle& particle : particles_) {
+    if (property(particle)) sum += particle.weight;
+  }
+  return sum;
+}
+
 bool MultipathParticleFilter::suspect_wheels(double duration) {
   const bool jump = odometry_jump_.take();
-  double believed = 0.0;
-  for (const BeliefParticle& particle : particles_) {
-    if (particle.mode.slipping || particle.receiver == kWheelFault) believed += particle.weight;
-  }
+  const double believed = probability([](const BeliefParticle& particle) {
+    return particle.mode.slipping || particle.receiver == kWheelFault;
+  });
   if (believed < kMajority) suspected_for_ = std::max(0.0, suspected_for_ - duration);
   if (jump) suspected_for_ = kSuspicion;
   return jump;
@@ -78,13 +86,11 @@ void MultipathParticleFilter::update_confirmation() {
     return unconfirm();
   }
   if (doubtful_bias() > 0.0 || scattered()) return unconfirm();
-  double open_quiet = 0.0;
-  for (const BeliefParticle& particle : particles_) {
-    const bool quiet = !particle.mode.shadow && !particle.mode.noisy;
-    if (quiet && particle.receiver != kWheelFault) open_quiet += particle.weight;
-  }
   const bool headed = cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
-  const bool open = open_quiet > parameters_.confirm_probability && cluster_.mass > kMajority;
+  const double open_sky = probability([](const BeliefParticle& particle) {
+    return !particle.mode.shadow && !particle.mode.noisy && particle.receiver != kWheelFault;
+  });
+  const bool open = open_sky > parameters_.confirm_probability && cluster_.mass > kMajority;
   const bool settled =
       class_probability_[kCanyon] > kSettledProbability && cluster_.mass > kSettledProbability;
   const double way = since_fix_.position().norm();

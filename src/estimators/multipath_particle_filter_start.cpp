@@ -25,8 +25,7 @@ std::vector<std::size_t> interleaved(const PerClass& probability, std::size_t co
   }
   for (std::size_t k = 0; k < kReceiverClassCount; ++k) {
     if (size[k] > 0 || probability[k] <= 0.0) continue;
-    const auto largest =
-        static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+    const auto largest = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
     *std::find(order.rbegin(), order.rend(), largest) = k;
     --size[largest];
     ++size[k];

@@ -27,9 +27,9 @@ TEST(OdometryJump, SeesWheelsLockSpinAndAnEncoderDie) {
 TEST(OdometryJump, TakesWhatARobotCanDoForSound) {
   OdometryJump jump({}, OdometryNoise{});
   double speed = 0.0;
-  for (int i = 0; i < 50; ++i) jump.add({0.02 * i, 0.02, speed += 0.06, 0.0});  // 3 m/s^2
+  for (int i = 0; i < 50; ++i) jump.add({0.02 * i, 0.02, speed += 0.05, 0.0});  // 2.5 m/s^2
   for (int i = 0; i < 50; ++i) jump.add({0.02 * i, 0.02, speed, 0.1 * i});      // 5 rad/s^2
-  for (int i = 0; i < 50; ++i) jump.add({0.02 * i, 0.02, speed -= 0.06, 5.0});
+  for (int i = 0; i < 50; ++i) jump.add({0.02 * i, 0.02, speed -= 0.05, 5.0});
   EXPECT_FALSE(jump.take());
 }
 

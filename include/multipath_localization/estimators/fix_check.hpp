@@ -15,8 +15,8 @@ namespace multipath_localization {
 ///   zeros are valid: the receiver declares nothing.
 std::optional<Reason> defect(const GnssFix& fix);
 
-/// Whether an estimator can start from it: all is finite, the pose up to kFurthestPose (m, rad), variances are
-/// above zero and up to the square of that, and the covariance is positive semi-definite.
+/// Whether an estimator can start from it: all is finite, the pose up to kFurthestPose (m, rad), variances
+/// are above zero and up to the square of that, and the covariance is positive semi-definite.
 bool usable(const PosePrior& prior);
 
 /// False for an increment with anything not finite or a duration that is not positive.

@@ -78,6 +78,9 @@ class MultipathParticleFilter : public Estimator {
   /// Lets the class change, as it does within `duration` [s], and where the wheels are suspected.
   void change_classes(double duration, bool suspect);
 
+  /// Of what holds for some of the particles.
+  template <class Property>
+  [[nodiscard]] double probability(Property property) const;
   /// Takes note of a jump of the odometry, `duration` [s] after the last time; tells whether there was one.
   bool suspect_wheels(double duration);
   /// Without a fix: the odometry alone can show that the wheels fail, and nothing shows a slip.
@@ -113,13 +116,13 @@ class MultipathParticleFilter : public Estimator {
   FixCheck fix_check_;
   double now_ = 0.0;
   double last_fix_ = 0.0;
-  double doubted_until_ = 0.0;  ///< the last fix, or `doubt_odometry` after it [s]
+  double doubted_until_ = 0.0;       ///< the last fix, or `doubt_odometry` after it [s]
   double distance_since_fix_ = 0.0;  ///< along the way [m]
   Pose2 since_fix_;                  ///< the base where it was at the last fix, by odometry
-  double usual_speed_ = 0.0;     ///< of the last seconds in which the wheels turned [m/s]
-  double suspected_for_ = 0.0;   ///< time left in which standing wheels may be locked [s]
-  double confirmed_over_ = 0.0;  ///< distance moved under an open sky that explains the fixes [m]
-  double settled_over_ = 0.0;    ///< distance moved in a canyon with one heading left [m]
+  double usual_speed_ = 0.0;         ///< of the last seconds in which the wheels turned [m/s]
+  double suspected_for_ = 0.0;       ///< time left in which standing wheels may be locked [s]
+  double confirmed_over_ = 0.0;      ///< distance moved under an open sky that explains the fixes [m]
+  double settled_over_ = 0.0;        ///< distance moved in a canyon with one heading left [m]
   bool confirmed_ = false;
 };
 
