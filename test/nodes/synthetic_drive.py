@@ -1,6 +1,7 @@
 """A drive over open ground for tests of localization_node: messages made here, one at a time, on their own stamps."""
 import copy
 import math
+import os
 import random
 import threading
 import time
@@ -16,6 +17,8 @@ MAJOR, ECCENTRICITY2 = 6378137.0, 6.69437999014e-3
 EARTH_RATE, LIGHT = 7.2921151467e-5, 299792458.0
 CLOCK = -136902.0  # of the receiver [m]
 SKY = [(45.0 * i, elevation) for i, elevation in enumerate((20.0, 45.0, 70.0, 30.0) * 2)]  # azimuth, elevation [deg]
+# Under a sanitizer all takes several times as long.
+PATIENCE = float(os.environ.get('TEST_PATIENCE', '1'))
 
 
 def to_geodetic(east, north):
@@ -181,7 +184,7 @@ class Session:
             self.condition.notify_all()
 
     def wait(self, done, what, timeout=10.0):
-        deadline = time.monotonic() + timeout
+        deadline = time.monotonic() + timeout * PATIENCE
         with self.condition:
             while not done():
                 if time.monotonic() > deadline:
