@@ -10,6 +10,7 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kLargest = 1e8;
+
 bool valid_covariance(const Eigen::Matrix2d& covariance) {
   return covariance.cwiseAbs().maxCoeff() < kLargest && positive_semi_definite(covariance);
 }

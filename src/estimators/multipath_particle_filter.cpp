@@ -154,7 +154,7 @@ void MultipathParticleFilter::weigh(const GnssFix& fix) {
   since_fix_ = Pose2{};
 }
 
-bool MultipathParticleFilter::moving() const { return since_fix_.position().norm() > kMovedSinceFix; }
+bool MultipathParticleFilter::moving() const { return way_since_fix() > kMovedSinceFix; }
 
 void MultipathParticleFilter::change_classes(double duration, bool suspect) {
   PerClass entry = entry_probabilities(parameters_.classes, duration);

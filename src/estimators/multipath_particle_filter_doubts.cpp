@@ -93,7 +93,7 @@ void MultipathParticleFilter::update_confirmation() {
   const bool open = open_sky > parameters_.confirm_probability && cluster_.mass > kMajority;
   const bool settled =
       class_probability_[kCanyon] > kSettledProbability && cluster_.mass > kSettledProbability;
-  const double way = since_fix_.position().norm();
+  const double way = way_since_fix();
   const auto count = [way](double& distance, bool holds) {
     distance = std::max(0.0, distance + (holds ? way : -way));
   };
@@ -105,7 +105,7 @@ void MultipathParticleFilter::update_confirmation() {
 void MultipathParticleFilter::doubt_steady_bias(double moving_time) {
   const bool biased = cluster_.shadow > kMajority && class_probability_[kCanyon] < kMajority;
   if (!biased) return steady_bias_.clear();
-  const double way = moving_time > 0.0 ? since_fix_.position().norm() : 0.0;
+  const double way = moving_time > 0.0 ? way_since_fix() : 0.0;
   steady_bias_.add(cluster_.belief.mean.tail<2>(), way, moving_time, parameters_.steady_bias);
   if (steady_bias_.probability(parameters_.steady_bias) < kMajority) return;
   for (BeliefParticle& particle : particles_) {

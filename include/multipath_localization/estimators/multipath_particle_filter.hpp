@@ -68,7 +68,8 @@ class MultipathParticleFilter : public Estimator {
   void start_at(const GnssFix& fix);
   void start_at(const PosePrior& prior);
 
-  /// Since the last fix, by odometry: jitter leads nowhere.
+  /// From where the last fix was, by odometry [m]: jitter leads nowhere.
+  [[nodiscard]] double way_since_fix() const { return since_fix_.position().norm(); }
   [[nodiscard]] bool moving() const;
   void flush_odometry();
   void weigh(const GnssFix& fix);
