@@ -10,17 +10,24 @@ double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin
 
 }  // namespace
 
+double ground_speed(const OdometryIncrement& increment) {
+  return std::hypot(increment.speed, increment.lateral_speed);
+}
+
 Pose2 displacement(const OdometryIncrement& increment) {
   const double turn = increment.yaw_rate * increment.duration;
-  const double chord = increment.speed * increment.duration * sinc(0.5 * turn);
-  return {chord * std::cos(0.5 * turn), chord * std::sin(0.5 * turn), wrap_angle(turn)};
+  const double shortening = increment.duration * sinc(0.5 * turn);
+  const Eigen::Vector2d chord =
+      rotation(0.5 * turn) * (shortening * Eigen::Vector2d(increment.speed, increment.lateral_speed));
+  return {chord.x(), chord.y(), wrap_angle(turn)};
 }
 
 OdometryIncrement joined(const OdometryIncrement& first, const OdometryIncrement& second) {
   const double duration = first.duration + second.duration;
   const double share = second.duration / duration;
-  return {second.stamp, duration, first.speed + share * (second.speed - first.speed),
-          first.yaw_rate + share * (second.yaw_rate - first.yaw_rate)};
+  const auto mean = [share](double a, double b) { return a + share * (b - a); };
+  return {second.stamp, duration, mean(first.speed, second.speed), mean(first.yaw_rate, second.yaw_rate),
+          mean(first.lateral_speed, second.lateral_speed)};
 }
 
 namespace {

@@ -13,8 +13,9 @@ Pose2 by_euler(const OdometryIncrement& u, int steps) {
   Pose2 pose;
   const double dt = u.duration / steps;
   for (int i = 0; i < steps; ++i) {
-    pose.x += u.speed * dt * std::cos(pose.yaw);
-    pose.y += u.speed * dt * std::sin(pose.yaw);
+    const Eigen::Vector2d step = rotation(pose.yaw) * Eigen::Vector2d(u.speed * dt, u.lateral_speed * dt);
+    pose.x += step.x();
+    pose.y += step.y();
     pose.yaw += u.yaw_rate * dt;
   }
   return pose;
@@ -25,6 +26,16 @@ TEST(Displacement, IsWhatFineEulerIntegrationTendsTo) {
     const OdometryIncrement u{0.0, 1.3, speed, yaw_rate};
     EXPECT_TRUE(PoseNear(displacement(u), by_euler(u, 100000), 3e-4)) << speed << " " << yaw_rate;
   }
+}
+
+TEST(Displacement, GoesSidewaysWithTheLateralSpeed) {
+  EXPECT_TRUE(PoseNear(displacement({0.0, 2.0, 0.0, 0.0, 0.5}), Pose2{0.0, 1.0, 0.0}, 1e-12));
+  const OdometryIncrement u{0.0, 1.3, 0.4, 0.7, -0.9};
+  EXPECT_TRUE(PoseNear(displacement(u), by_euler(u, 100000), 3e-4));
+}
+
+TEST(GroundSpeed, IsThatOfAllDirections) {
+  EXPECT_DOUBLE_EQ(ground_speed({0.0, 1.0, -3.0, 0.2, 4.0}), 5.0);
 }
 
 TEST(Displacement, IsEquation3OfNishidaWhereThatIsDefined) {
@@ -59,13 +70,14 @@ TEST(Displacement, OfAFullTurnEndsWhereItBegan) {
 }
 
 TEST(Joined, KeepsTheWayTheTurnAndTheTime) {
-  const OdometryIncrement first{1.2, 0.2, 1.5, -0.4};
-  const OdometryIncrement second{1.3, 0.1, -0.6, 0.5};
+  const OdometryIncrement first{1.2, 0.2, 1.5, -0.4, 0.3};
+  const OdometryIncrement second{1.3, 0.1, -0.6, 0.5, -0.9};
   const OdometryIncrement both = joined(first, second);
   EXPECT_EQ(both.stamp, 1.3);
   EXPECT_NEAR(both.duration, 0.3, 1e-15);
   EXPECT_NEAR(both.speed * both.duration, 0.3 - 0.06, 1e-15);
   EXPECT_NEAR(both.yaw_rate * both.duration, -0.08 + 0.05, 1e-15);
+  EXPECT_NEAR(both.lateral_speed * both.duration, 0.06 - 0.09, 1e-15);
 }
 
 TEST(Joined, OfMillisecondsEndsWhereTheyEnd) {

@@ -13,13 +13,17 @@
 
 namespace multipath_localization {
 
-/// Motion that wheel odometry saw over one interval, constant speed and yaw rate within it.
+/// Motion that wheel odometry saw over one interval, constant velocity in the base and yaw rate within it.
 struct OdometryIncrement {
-  double stamp = 0.0;     ///< end of the interval [s]
-  double duration = 0.0;  ///< length of the interval [s], > 0
-  double speed = 0.0;     ///< along x of the base, negative in reverse [m/s]
-  double yaw_rate = 0.0;  ///< counter-clockwise [rad/s]
+  double stamp = 0.0;          ///< end of the interval [s]
+  double duration = 0.0;       ///< length of the interval [s], > 0
+  double speed = 0.0;          ///< along x of the base, negative in reverse [m/s]
+  double yaw_rate = 0.0;       ///< counter-clockwise [rad/s]
+  double lateral_speed = 0.0;  ///< along y of the base, to the left; 0 but for omnidirectional bases [m/s]
 };
+
+/// Speed over ground, whatever its direction [m/s].
+double ground_speed(const OdometryIncrement& increment);
 
 /// Motion of the base over the increment, in the base frame at its start: an arc in chord form, exact and
 /// without the singularity of Eq. (3) of [NIS] at zero yaw rate.
@@ -29,12 +33,21 @@ Pose2 displacement(const OdometryIncrement& increment);
 /// by no more than the length of the path times the turn.
 OdometryIncrement joined(const OdometryIncrement& first, const OdometryIncrement& second);
 
+/// How a receiver says it came to a fix, as sensor_msgs/NavSatStatus has it.
+enum class FixStatus {
+  kNone = -1,           ///< no fix
+  kSingle = 0,          ///< unaugmented, or not told
+  kSatelliteBased = 1,  ///< SBAS
+  kGroundBased = 2,     ///< differential or RTK
+};
+
 /// A position from a GNSS receiver, in the ENU map frame.
 struct GnssFix {
   double stamp = 0.0;                                         ///< time of measurement [s]
   Eigen::Vector2d position = Eigen::Vector2d::Zero();         ///< antenna in map: east, north [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();   ///< as declared by the receiver [m^2]
   Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
+  FixStatus status = FixStatus::kSingle;                      ///< as claimed by the receiver
 };
 
 /// Two fixes of about one instant, each with its own stamp, from antennas on one base; their lever arms tell
