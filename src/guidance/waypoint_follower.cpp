@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "multipath_localization/guidance/route_continuation.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -21,12 +23,23 @@ void require_finite(const std::vector<Eigen::Vector2d>& waypoints) {
   }
 }
 
+std::string to_a_tenth(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << value;
+  return text.str();
+}
+
 std::string old_pose(double age) {
   if (!std::isfinite(age)) return "no pose yet";
-  std::ostringstream text;
-  text << "pose is " << std::fixed << std::setprecision(1) << std::abs(age)
-       << (age > 0.0 ? " s old" : " s ahead");
-  return text.str();
+  return "pose is " + to_a_tenth(std::abs(age)) + (age > 0.0 ? " s old" : " s ahead");
+}
+
+double extent_of(const std::vector<Eigen::Vector2d>& waypoints) {
+  double extent = 0.0;
+  for (const Eigen::Vector2d& waypoint : waypoints) {
+    extent = std::max(extent, (waypoint - waypoints.front()).norm());
+  }
+  return extent;
 }
 
 }  // namespace
@@ -39,10 +52,14 @@ void WaypointFollowerParameters::fields(ParameterVisitor& field) {
   field("max_steering_angle", max_steering_angle, {0.0, 1.5}, "rad", "to either side");
   field("k_phi", k_phi, {0.0, 100.0}, "1", "nishida: gain from heading error to steering angle");
   field("lookahead", lookahead, {0.01, 1e3}, "m", "path_tracking: aims this far ahead on the line");
-  field("switch_radius", switch_radius, {0.0, 1e3}, "m", "a waypoint this near is passed");
+  field("switch_radius", switch_radius, {0.01, 1e3}, "m", "a waypoint this near is passed");
   field("crossing_width", crossing_width, {0.0, 1e3}, "m",
-        "so is one whose line, perpendicular to the way there, is crossed this far aside at most");
-  field("loop", loop, "after the last waypoint go on to the first, else stop");
+        "so is one whose line, perpendicular to the way there, is crossed this far aside at most, or within "
+        "switch_radius");
+  field(
+      "loop", loop,
+      "after the last waypoint go on to the first, else stop; stop too where none is farther from the first "
+      "than 2 (turning radius + switch_radius)");
   field("max_pose_age", max_pose_age, {0.0, 60.0}, "s",
         "a pose older, or as far ahead of now, stops the robot");
   field("aligning_distance", aligning_distance, {0.0, 1e3}, "m",
@@ -56,7 +73,7 @@ void WaypointFollowerParameters::fields(ParameterVisitor& field) {
 
 WaypointFollower::WaypointFollower(const WaypointFollowerParameters& parameters,
                                    std::vector<Eigen::Vector2d> waypoints)
-    : parameters_(parameters), waypoints_(std::move(waypoints)) {
+    : parameters_(parameters), waypoints_(std::move(waypoints)), extent_(extent_of(waypoints_)) {
   require_finite(waypoints_);
 }
 
@@ -64,9 +81,25 @@ void WaypointFollower::move_waypoints(std::vector<Eigen::Vector2d> waypoints) {
   require_finite(waypoints);
   if (waypoints.size() != waypoints_.size()) throw std::invalid_argument("not as many waypoints as before");
   waypoints_ = std::move(waypoints);
+  extent_ = extent_of(waypoints_);
   segment_start_.reset();
   first_position_.reset();
 }
+
+bool WaypointFollower::continue_along(const std::vector<Eigen::Vector2d>& waypoints) {
+  require_finite(waypoints);
+  const bool at_end = finished();
+  const auto target =
+      target_in_continuation(waypoints_, at_end ? waypoints_.size() : this->target(), waypoints);
+  if (!target) return false;
+  if (!same_route(waypoints_, waypoints)) passed_ = *target;
+  waypoints_ = waypoints;
+  extent_ = extent_of(waypoints_);
+  if (at_end) begin_segment();
+  return true;
+}
+
+std::size_t WaypointFollower::target() const { return waypoints_.empty() ? 0 : passed_ % waypoints_.size(); }
 
 int WaypointFollower::laps() const {
   return waypoints_.empty() ? 0 : static_cast<int>(passed_ / waypoints_.size());
@@ -76,11 +109,20 @@ double WaypointFollower::progress() const {
   return waypoints_.empty() ? 0.0 : static_cast<double>(passed_) / static_cast<double>(waypoints_.size());
 }
 
-bool WaypointFollower::finished() const { return !parameters_.loop && passed_ > 0 && target_ == 0; }
+bool WaypointFollower::finished() const {
+  return passed_ > 0 && target() == 0 && !(parameters_.loop && can_loop());
+}
+
+bool WaypointFollower::can_loop() const { return extent_ > loop_extent(); }
+
+double WaypointFollower::loop_extent() const {
+  const double turning_radius = parameters_.wheelbase / std::tan(parameters_.max_steering_angle);
+  return 2.0 * (turning_radius + parameters_.switch_radius);
+}
 
 void WaypointFollower::skip() {
   if (waypoints_.empty() || finished()) return;
-  take_next();
+  ++passed_;
   segment_start_.reset();
 }
 
@@ -93,7 +135,7 @@ void WaypointFollower::heed(Trust state) {
 
 FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state) {
   heed(state);
-  if (finished()) return {{}, "finished"};
+  if (finished()) return end();
   const std::string reason = reason_to_stop(pose, pose_age, state);
   if (!reason.empty()) return {{}, "stopped: " + reason};
 
@@ -101,12 +143,17 @@ FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Tru
   const double speed = pace.ratio * parameters_.cruise_speed;
   underway_ = underway_ || heading_shown(pose.position(), state);
   if (!underway_) return {{speed, 0.0}, pace.status};
-  if (!segment_start_) segment_start_ = pose.position();
   pass_waypoints(pose.position());
-  if (finished()) return {{}, "finished"};
+  if (finished()) return end();
   const double angle = parameters_.law == "nishida" ? steer_to_target(pose) : steer_along_path(pose);
   return {{speed, std::clamp(angle, -parameters_.max_steering_angle, parameters_.max_steering_angle)},
           pace.status};
+}
+
+FollowerOutput WaypointFollower::end() const {
+  if (!parameters_.loop) return {{}, "finished"};
+  return {{},
+          "finished: loop needs a waypoint farther than " + to_a_tenth(loop_extent()) + " m from the first"};
 }
 
 std::string WaypointFollower::reason_to_stop(const Pose2& pose, double pose_age, Trust state) const {
@@ -138,34 +185,41 @@ bool WaypointFollower::heading_shown(const Eigen::Vector2d& position, Trust stat
 }
 
 void WaypointFollower::pass_waypoints(const Eigen::Vector2d& position) {
+  if (!segment_start_) segment_start_ = position;
   for (std::size_t i = 0; i < waypoints_.size() && !finished() && passed_target(position); ++i) {
-    segment_start_ = waypoints_[target_];
-    take_next();
+    ++passed_;
+    begin_segment();
   }
 }
 
-void WaypointFollower::take_next() {
-  target_ = (target_ + 1) % waypoints_.size();
-  ++passed_;
+void WaypointFollower::begin_segment() {
+  const std::size_t count = waypoints_.size();
+  for (std::size_t back = 1; back < count && back <= passed_; ++back) {
+    const Eigen::Vector2d& start = waypoints_[(passed_ - back) % count];
+    if ((start - waypoints_[target()]).norm() < parameters_.switch_radius) continue;
+    segment_start_ = start;
+    return;
+  }
 }
 
 bool WaypointFollower::passed_target(const Eigen::Vector2d& position) const {
-  const Eigen::Vector2d beyond = position - waypoints_[target_];
+  const Eigen::Vector2d beyond = position - waypoints_[target()];
   if (beyond.norm() <= parameters_.switch_radius) return true;
-  const Eigen::Vector2d way = waypoints_[target_] - *segment_start_;
+  const Eigen::Vector2d way = waypoints_[target()] - *segment_start_;
   if (way.isZero()) return false;
-  return beyond.dot(way) >= 0.0 && std::abs(cross(way.normalized(), beyond)) <= parameters_.crossing_width;
+  const double width = std::max(parameters_.crossing_width, parameters_.switch_radius);
+  return beyond.dot(way) >= 0.0 && std::abs(cross(way.normalized(), beyond)) <= width;
 }
 
 double WaypointFollower::steer_to_target(const Pose2& pose) const {
-  const double bearing = direction_of(waypoints_[target_] - pose.position());  // Eq. (38) of [NIS]
-  return parameters_.k_phi * angle_difference(bearing, pose.yaw);              // Eq. (36) of [NIS]
+  const double bearing = direction_of(waypoints_[target()] - pose.position());  // Eq. (38) of [NIS]
+  return parameters_.k_phi * angle_difference(bearing, pose.yaw);               // Eq. (36) of [NIS]
 }
 
 double WaypointFollower::steer_along_path(const Pose2& pose) const {
   const Eigen::Vector2d start = *segment_start_;
-  const Eigen::Vector2d way = waypoints_[target_] - start;
-  Eigen::Vector2d aim = waypoints_[target_];
+  const Eigen::Vector2d way = waypoints_[target()] - start;
+  Eigen::Vector2d aim = waypoints_[target()];
   if (!way.isZero()) {
     const Eigen::Vector2d along = way.normalized();
     aim = start + ((pose.position() - start).dot(along) + parameters_.lookahead) * along;

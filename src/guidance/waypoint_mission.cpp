@@ -1,5 +1,7 @@
 #include "multipath_localization/guidance/waypoint_mission.hpp"
 
+#include "multipath_localization/guidance/route_continuation.hpp"
+
 namespace multipath_localization {
 
 WaypointMission::WaypointMission(const WaypointFollowerParameters& parameters,
@@ -50,7 +52,11 @@ Answer WaypointMission::set_loop(bool repeat) {
   if (finished()) order_ = Order::kDone;
   parameters_.loop = repeat;
   follower_.set_loop(repeat);
-  return {true, repeat ? "goes on to the first waypoint after the last" : "stops at the last waypoint"};
+  if (!repeat) return {true, "stops at the last waypoint"};
+  if (follower_.waypoints().empty() || follower_.can_loop()) {
+    return {true, "goes on to the first waypoint after the last"};
+  }
+  return {true, "goes on to the first waypoint after the last, but not on this route, which is too small"};
 }
 
 void WaypointMission::set_waypoints(const std::vector<Eigen::Vector2d>& waypoints) {
@@ -59,13 +65,14 @@ void WaypointMission::set_waypoints(const std::vector<Eigen::Vector2d>& waypoint
   if (order_ == Order::kDone) order_ = Order::kDrive;
 }
 
-bool WaypointMission::offer_waypoints(const std::vector<Eigen::Vector2d>& waypoints, std::uint64_t stamp) {
-  const bool again = last_delivery_ && last_delivery_->waypoints == waypoints;
-  if (again && stamp <= last_delivery_->stamp) return false;
-  const bool under_way = !finished() && without_waypoints_.empty() && follower_.waypoints() == waypoints;
-  if (!under_way) set_waypoints(waypoints);
+Delivery WaypointMission::offer_waypoints(const std::vector<Eigen::Vector2d>& waypoints,
+                                          std::uint64_t stamp) {
+  const bool again = last_delivery_ && same_route(last_delivery_->waypoints, waypoints);
+  if (again && stamp <= last_delivery_->stamp) return Delivery::kKnown;
+  const bool continued = order_ != Order::kDone && follower_.continue_along(waypoints);
+  if (!continued) set_waypoints(waypoints);
   last_delivery_ = {waypoints, stamp};
-  return !under_way;
+  return continued ? Delivery::kContinued : Delivery::kNew;
 }
 
 void WaypointMission::stand_without_waypoints(const std::string& reason) {

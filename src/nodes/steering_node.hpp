@@ -44,6 +44,7 @@ class SteeringNode {
   void take_state(const LocalizationState& message);
   void take_origin(const geometry_msgs::PoseStamped& message);
   void take_waypoints(const geometry_msgs::PoseArray& message);
+  void tell(Delivery delivery, bool resized) const;
   void place_waypoints();
   void take_clicked_point(const geometry_msgs::PointStamped& message);
   Answer stop();

@@ -60,14 +60,29 @@ void SteeringNode::take_waypoints(const geometry_msgs::PoseArray& message) {
   for (const geometry_msgs::Pose& pose : message.poses)
     waypoints.points.emplace_back(pose.position.x, pose.position.y);
   try {
-    if (!mission_.offer_waypoints(to_map(waypoints, origin_), message.header.stamp.toNSec())) {
-      ROS_INFO_THROTTLE(kTellRepetition, "waypoints that came before change nothing");
-      return;
-    }
+    const Delivery delivery =
+        mission_.offer_waypoints(to_map(waypoints, origin_), message.header.stamp.toNSec());
+    if (delivery == Delivery::kKnown) return;
+    tell(delivery, waypoints.points.size() != waypoints_.points.size());
     waypoints_ = waypoints;
     progress_ = -1.0;
+    drive();
   } catch (const std::invalid_argument& error) {
     ROS_ERROR_STREAM("waypoints are refused: " << error.what());
+  }
+}
+
+void SteeringNode::tell(Delivery delivery, bool resized) const {
+  const WaypointFollower& follower = mission_.follower();
+  const std::string of_all = " of " + std::to_string(follower.waypoints().size());
+  if (follower.waypoints().empty()) return;
+  if (delivery == Delivery::kNew) {
+    ROS_INFO_STREAM("a new route, its waypoints: " << follower.waypoints().size());
+  } else if (resized) {
+    ROS_INFO_STREAM("the route is continued: next is waypoint " << follower.target() + 1 << of_all);
+  } else {
+    ROS_INFO_STREAM_THROTTLE(kTellRepetition,
+                             "the route came again: next is waypoint " << follower.target() + 1 << of_all);
   }
 }
 

@@ -131,26 +131,79 @@ TEST(WaypointMission, NewWaypointsAreDrivenWhenFinished) {
 
 TEST(WaypointMission, TheSameWaypointsDeliveredAgainDoNotRestartTheWay) {
   WaypointMission robot({}, {}, true);
-  EXPECT_TRUE(robot.offer_waypoints(kLine, 5));
+  EXPECT_EQ(robot.offer_waypoints(kLine, 5), Delivery::kNew);
   at(robot, 0.0);
   at(robot, 10.0);
   for (const std::uint64_t stamp : {5U, 0U, 6U, 7U}) {
-    EXPECT_FALSE(robot.offer_waypoints(kLine, stamp));
+    EXPECT_NE(robot.offer_waypoints(kLine, stamp), Delivery::kNew);
     EXPECT_EQ(robot.follower().target(), 1U);
   }
-  EXPECT_TRUE(robot.offer_waypoints({{10.0, 0.0}, {20.0, 1.0}, {30.0, 0.0}}, 7));
+  EXPECT_EQ(robot.offer_waypoints({{10.0, 0.0}, {20.0, 1.0}, {30.0, 0.0}}, 7), Delivery::kNew);
   EXPECT_EQ(robot.follower().target(), 0U);
+}
+
+TEST(WaypointMission, GoesOnAlongARouteRemadeGrownOrShortened) {
+  WaypointMission robot({}, {}, true);
+  robot.offer_waypoints(kLine, 1);
+  at(robot, 0.0);
+  at(robot, 10.0);
+  EXPECT_EQ(robot.offer_waypoints({{10.0, 1e-7}, {20.0, -0.01}, {30.0, 0.0}}, 2), Delivery::kContinued);
+  EXPECT_EQ(robot.follower().target(), 1U);
+  EXPECT_EQ(robot.follower().waypoints()[1].y(), -0.01) << "to where they are now";
+  EXPECT_EQ(robot.offer_waypoints({{10.0, 0.0}, {20.0, 0.0}, {30.0, 0.0}, {30.0, 9.0}}, 3),
+            Delivery::kContinued);
+  EXPECT_EQ(robot.follower().target(), 1U);
+  EXPECT_EQ(robot.offer_waypoints({{20.0, 0.0}, {30.0, 0.0}, {30.0, 9.0}}, 4), Delivery::kContinued);
+  EXPECT_EQ(robot.follower().target(), 0U);
+  const FollowerOutput output = robot.command({15.0, 1.0, 0.0}, 0.0, Trust::kGood);
+  EXPECT_LT(output.command.steering_angle, -0.1) << "back to the line it was on";
+}
+
+TEST(WaypointMission, ARouteShortenedToWhatIsLeftInALaterRoundIsNotYetFinished) {
+  WaypointMission robot({}, {}, true);
+  robot.offer_waypoints(kLine, 1);
+  drive_to_the_end(robot);
+  at(robot, 10.0);
+  at(robot, 20.0);
+  EXPECT_EQ(robot.offer_waypoints({{30.0, 0.0}}, 2), Delivery::kContinued);
+  EXPECT_GT(at(robot, 22.0).command.speed, 0.0);
+  EXPECT_EQ(at(robot, 30.0).command.speed, 0.0);
+}
+
+TEST(WaypointMission, AFinishedRobotGoesOnToWhatIsAddedBehind) {
+  WaypointMission robot({}, {{10.0, 0.0}}, true);
+  at(robot, 0.0);
+  EXPECT_EQ(at(robot, 10.0).command.speed, 0.0);
+  EXPECT_EQ(robot.offer_waypoints({{10.0, 0.0}, {10.0, 20.0}}, 1), Delivery::kContinued);
+  EXPECT_EQ(robot.follower().target(), 1U);
+  const MotionCommand u = robot.command({10.0, 5.0, 0.5 * kPi}, 0.0, Trust::kGood).command;
+  EXPECT_GT(u.speed, 0.0);
+  EXPECT_NEAR(u.steering_angle, 0.0, 1e-9) << "along the line from the waypoint it was at";
+}
+
+TEST(WaypointMission, StopsAtOnceWhenEmptied) {
+  WaypointMission robot = mission();
+  at(robot, 0.0);
+  EXPECT_EQ(robot.offer_waypoints({}, 1), Delivery::kNew);
+  expect_standing(robot, "stopped: no waypoints");
+  EXPECT_EQ(robot.offer_waypoints(kLine, 1), Delivery::kNew);
+}
+
+TEST(WaypointMission, SaysThatASmallRouteIsNotDrivenRound) {
+  WaypointMission robot({}, {{10.0, 0.0}}, true);
+  EXPECT_NE(robot.set_loop(true).message.find("not on this route"), std::string::npos);
+  EXPECT_EQ(mission().set_loop(true).message, "goes on to the first waypoint after the last");
 }
 
 TEST(WaypointMission, OnlyALaterStampHasAFinishedRobotDriveTheSameWaypointsAnew) {
   WaypointMission robot = mission(false);
-  EXPECT_FALSE(robot.offer_waypoints(kLine, 5)) << "it was started with them";
+  EXPECT_EQ(robot.offer_waypoints(kLine, 5), Delivery::kContinued) << "it was started with them";
   drive_to_the_end(robot);
   for (const std::uint64_t stamp : {5U, 0U, 4U}) {
-    EXPECT_FALSE(robot.offer_waypoints(kLine, stamp));
+    EXPECT_EQ(robot.offer_waypoints(kLine, stamp), Delivery::kKnown);
     expect_standing(robot, "finished");
   }
-  EXPECT_TRUE(robot.offer_waypoints(kLine, 6));
+  EXPECT_EQ(robot.offer_waypoints(kLine, 6), Delivery::kNew);
   EXPECT_GT(at(robot, 0.0).command.speed, 0.0);
 }
 
@@ -158,19 +211,19 @@ TEST(WaypointMission, WaypointsWithoutAStampAreOneDeliveryUntilOthersCome) {
   WaypointMission robot = mission(false);
   robot.offer_waypoints(kLine, 0);
   drive_to_the_end(robot);
-  EXPECT_FALSE(robot.offer_waypoints(kLine, 0));
+  EXPECT_EQ(robot.offer_waypoints(kLine, 0), Delivery::kKnown);
   expect_standing(robot, "finished");
-  EXPECT_TRUE(robot.offer_waypoints({{5.0, 0.0}}, 0));
-  EXPECT_TRUE(robot.offer_waypoints(kLine, 0));
+  EXPECT_EQ(robot.offer_waypoints({{5.0, 0.0}}, 0), Delivery::kNew);
+  EXPECT_EQ(robot.offer_waypoints(kLine, 0), Delivery::kNew);
 }
 
 TEST(WaypointMission, WaypointsDeliveredAgainStayWhereTheyAreThoughMapHasMoved) {
   WaypointMission robot({}, {}, true);
   robot.offer_waypoints(kLine, 5);
   robot.move_waypoints({{10.0, 5.0}, {20.0, 5.0}, {30.0, 5.0}});
-  EXPECT_FALSE(robot.offer_waypoints(kLine, 5));
+  EXPECT_EQ(robot.offer_waypoints(kLine, 5), Delivery::kKnown);
   EXPECT_EQ(robot.follower().waypoints()[0], Eigen::Vector2d(10.0, 5.0));
-  EXPECT_TRUE(robot.offer_waypoints(kLine, 6)) << "in the new map they are others";
+  EXPECT_EQ(robot.offer_waypoints(kLine, 6), Delivery::kNew) << "in the new map they are others";
 }
 
 TEST(WaypointMission, StandsByOrderOrAtTheEnd) {

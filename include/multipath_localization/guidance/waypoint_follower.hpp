@@ -42,8 +42,16 @@ struct FollowerOutput {
 /// Steers a front-wheel-steering robot along waypoints in map, and stops where the pose cannot be driven by.
 ///
 /// A waypoint is passed within `switch_radius` of it, or by crossing the line through it that is
-/// perpendicular to the way there, at most `crossing_width` aside. Departs from [NIS], which knows the radius
-/// only and circles round a target once missed.
+/// perpendicular to the way there, at most `crossing_width` or `switch_radius` aside, or by being so near to
+/// what prolongs that way beyond it. A circle round a waypoint that lies within the turning circle crosses
+/// that, so that there is no second one. Departs from [NIS], which knows the radius only and circles round a
+/// target once missed.
+///
+/// The way to a waypoint is the line from the last one passed that is at least `switch_radius` away from it:
+/// the direction between nearer ones is that of their errors.
+///
+/// With `loop`, a route is driven round where one of its waypoints is farther from the first than what a
+/// robot passes that circles on the spot, 2 (turning radius + `switch_radius`). A smaller one is driven once.
 class WaypointFollower {
  public:
   /// Waypoints in map [m]. Throws std::invalid_argument when one is not finite.
@@ -63,13 +71,19 @@ class WaypointFollower {
   /// they are not as many or one is not finite.
   void move_waypoints(std::vector<Eigen::Vector2d> waypoints);
 
+  /// Takes waypoints in map [m] that continue the present ones, see target_in_continuation, and goes on to
+  /// the waypoint steered for; laps are counted anew, unless it is the same route. False, and nothing is
+  /// changed, where they are another. Throws std::invalid_argument when one is not finite.
+  bool continue_along(const std::vector<Eigen::Vector2d>& waypoints);
+
   /// Whether to go on to the first waypoint after the last. Taken away, the round under way is the last.
   void set_loop(bool loop) { parameters_.loop = loop; }
 
-  [[nodiscard]] std::size_t target() const { return target_; }  ///< index of the waypoint steered for
-  [[nodiscard]] int laps() const;                               ///< rounds completed
-  [[nodiscard]] double progress() const;  ///< waypoints passed or skipped, over those of a round
-  [[nodiscard]] bool finished() const;    ///< never, when looping
+  [[nodiscard]] std::size_t target() const;  ///< index of the waypoint steered for
+  [[nodiscard]] int laps() const;            ///< rounds completed
+  [[nodiscard]] double progress() const;     ///< waypoints passed or skipped, over those of a round
+  [[nodiscard]] bool finished() const;       ///< never, when driving round
+  [[nodiscard]] bool can_loop() const;       ///< whether the route is wide enough to be driven round
   [[nodiscard]] const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
 
  private:
@@ -84,8 +98,10 @@ class WaypointFollower {
   [[nodiscard]] std::string reason_to_stop(const Pose2& pose, double pose_age, Trust state) const;
   [[nodiscard]] bool heading_shown(const Eigen::Vector2d& position, Trust state);
   void pass_waypoints(const Eigen::Vector2d& position);
-  void take_next();
+  void begin_segment();
   [[nodiscard]] bool passed_target(const Eigen::Vector2d& position) const;
+  [[nodiscard]] double loop_extent() const;  ///< of a route driven round, at least [m]
+  [[nodiscard]] FollowerOutput end() const;
   /// Eqs. (36) and (38) of [NIS]. Departs: the error is of the heading, where Eq. (36) prints the steering
   /// angle.
   [[nodiscard]] double steer_to_target(const Pose2& pose) const;
@@ -94,9 +110,9 @@ class WaypointFollower {
 
   WaypointFollowerParameters parameters_;
   std::vector<Eigen::Vector2d> waypoints_;
-  std::optional<Eigen::Vector2d> segment_start_;  ///< none: where the robot is next
-  std::size_t target_ = 0;
+  double extent_;  ///< greatest distance of a waypoint from the first [m]
   std::size_t passed_ = 0;
+  std::optional<Eigen::Vector2d> segment_start_;   ///< none: where the robot is next
   std::optional<Eigen::Vector2d> first_position_;  ///< since the pose is known
   bool underway_ = false;                          ///< the heading has been good enough to steer by
 };

@@ -16,6 +16,13 @@ struct Answer {
   std::string message;
 };
 
+/// What became of waypoints that a topic delivered.
+enum class Delivery {
+  kKnown,      ///< nothing
+  kContinued,  ///< they continue the route under way: the robot goes on to the waypoint it was steered for
+  kNew         ///< they are driven from the first on
+};
+
 /// A WaypointFollower at the orders of the robot's owner. The robot drives after `start` or `resume` alone,
 /// or from the beginning with `autostart`; no order but these two sets it in motion. An order that makes no
 /// sense where things stand changes nothing and says why.
@@ -36,10 +43,11 @@ class WaypointMission {
   /// std::invalid_argument, and keeps the old ones, when one is not finite.
   void set_waypoints(const std::vector<Eigen::Vector2d>& waypoints);
 
-  /// Waypoints in map [m] as a topic delivers them, over again at times: those that came last, with no later
-  /// `stamp` [ns], are the same delivery and change nothing; nor do the waypoints of the way under way, of
-  /// whatever stamp. All others are for set_waypoints, whether they were is the answer.
-  bool offer_waypoints(const std::vector<Eigen::Vector2d>& waypoints, std::uint64_t stamp);
+  /// Waypoints in map [m] as a topic delivers them, over again at times. Those that came last, with no later
+  /// `stamp` [ns], are the same delivery and change nothing, see same_route. Those that continue the route
+  /// under way, as WaypointFollower::continue_along tells, are gone on along. All others are for
+  /// set_waypoints.
+  Delivery offer_waypoints(const std::vector<Eigen::Vector2d>& waypoints, std::uint64_t stamp);
 
   /// WaypointFollower::move_waypoints: the robot goes on to the waypoint it was steered for.
   void move_waypoints(const std::vector<Eigen::Vector2d>& waypoints) { follower_.move_waypoints(waypoints); }
@@ -63,7 +71,7 @@ class WaypointMission {
   [[nodiscard]] std::string reason_to_stand() const;  ///< empty under kDrive
 
   /// What offer_waypoints took last.
-  struct Delivery {
+  struct StampedRoute {
     std::vector<Eigen::Vector2d> waypoints;
     std::uint64_t stamp;
   };
@@ -71,7 +79,7 @@ class WaypointMission {
   WaypointFollowerParameters parameters_;
   WaypointFollower follower_;
   Order order_;
-  std::optional<Delivery> last_delivery_;
+  std::optional<StampedRoute> last_delivery_;
   std::string without_waypoints_;  ///< why there are none, where that is known
 };
 

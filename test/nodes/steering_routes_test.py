@@ -1,0 +1,110 @@
+#!/usr/bin/python3
+"""steering_node in closed loop with a robot that does as it is told, on routes as planners and people send them."""
+import math
+import time
+
+import rospy
+import rostest
+from geometry_msgs.msg import PoseArray
+from multipath_localization.msg import LocalizationState
+
+from steering_case import SteeringCase, wait_for_subscribers, waypoint_array
+
+STEP = 0.1  # of the robot's motion for each command [s]
+
+
+class SteeringRoutesTest(SteeringCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.waypoints = rospy.Publisher("waypoints", PoseArray, queue_size=10)
+        wait_for_subscribers(cls.pose, cls.state, cls.waypoints)
+        cls.stamp = 0
+
+    def setUp(self):
+        self.set_state(LocalizationState.GOOD)
+        self.x = self.y = self.yaw = self.way = 0.0
+        self.send([])
+        self.expect("stopped: no waypoints")
+
+    def send(self, points):
+        """Under a later stamp than before."""
+        type(self).stamp += 1
+        self.waypoints.publish(waypoint_array(points, stamp=rospy.Time(self.stamp)))
+
+    def step(self):
+        """Sends the pose, and does as the command that comes for it says."""
+        before = self.cmd_vel.count
+        end = time.time() + 8.0
+        self.send_pose(self.x, self.y, self.yaw)
+        while self.cmd_vel.count == before:
+            self.assertLess(time.time(), end, f"no command; status is {self.status.message}")
+            time.sleep(0.001)
+        twist = self.cmd_vel.message
+        middle = self.yaw + 0.5 * STEP * twist.angular.z
+        self.x += STEP * twist.linear.x * math.cos(middle)
+        self.y += STEP * twist.linear.x * math.sin(middle)
+        self.yaw += STEP * twist.angular.z
+        self.way += STEP * abs(twist.linear.x)
+
+    def drive(self, status, most=60.0):
+        """Drives until the status is as expected, `most` [m] at most."""
+        while not self.status.message.data.startswith(status):
+            self.assertLess(self.way, most, self.status.message.data)
+            self.step()
+
+    def drive_past(self, x):
+        while self.x < x:
+            self.assertLess(self.way, 60.0)
+            self.step()
+
+    def drive_once(self, points, most):
+        self.send(points)
+        self.drive("driving")
+        self.drive("finished: loop needs a waypoint farther than 3.5 m from the first", most)
+        self.assertEqual(self.cmd_vel.message.linear.x, 0.0)
+        time.sleep(0.2)
+        self.assertEqual(self.progress.message.data, 1.0)
+        x, y = points[-1]
+        self.assertLess(math.hypot(self.x - x, self.y - y), 1.2)
+
+    def test_stops_at_a_single_waypoint(self):
+        self.drive_once([(10, 0)], 12.0)
+
+    def test_stops_at_a_single_waypoint_behind(self):
+        self.drive_once([(-8, 0)], 20.0)
+
+    def test_stops_at_waypoints_nearer_to_each_other_than_the_radius(self):
+        self.drive_once([(5, 0), (5.36, 0)], 8.0)
+
+    def test_stops_at_a_waypoint_doubled(self):
+        self.drive_once([(5, 0), (5, 0), (5, 0)], 8.0)
+
+    def test_goes_on_along_a_route_made_anew_grown_or_shortened(self):
+        self.order("loop", False)
+        try:
+            self.send([(5, 0), (15, 0), (25, 0)])
+            self.drive_past(8.0)
+            for route in ([(5.0000001, 0), (15, -0.0000001), (25, 0)],
+                          [(5, 0.004), (15, 0.004), (25, 0.004)],
+                          [(5, 0), (15, 0), (25, 0), (35, 0)],
+                          [(15, 0), (25, 0), (35, 0)]):
+                self.send(route)
+                self.drive_past(self.x + 1.5)
+            self.drive_past(18.0)
+            self.send([(25, 0), (35, 0)])
+            self.drive("finished", 40.0)
+            self.assertGreater(self.x, 33.9)
+            self.assertLess(self.way, 36.0)
+        finally:
+            self.order("loop", True)
+
+    def test_stops_at_once_when_the_route_is_emptied(self):
+        self.send([(10, 0)])
+        self.drive_past(3.0)
+        self.send([])
+        self.assertEqual(self.expect_silent("stopped: no waypoints").speed, 0.0)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("multipath_localization", "steering_routes", SteeringRoutesTest)
