@@ -59,7 +59,7 @@ void ChordAlignment::predict(const OdometryIncrement& u) {
   moving_time_ += u.duration;
   base_in_odom_ = base_in_odom_ * displacement(u);
   auto position = state_.covariance.topLeftCorner<2, 2>();
-  const double sigma = std::sqrt(0.5 * position.trace()) + std::abs(u.speed) * u.duration;
+  const double sigma = std::sqrt(0.5 * position.trace()) + ground_speed(u) * u.duration;
   position = square(sigma) * Eigen::Matrix2d::Identity();
 }
 

@@ -88,7 +88,7 @@ void DualAntennaEkf::predict(const OdometryIncrement& u) {
   now_ = u.stamp;
   if (phase_ == Phase::kFollowing) {
     auto position = belief_.covariance.topLeftCorner<2, 2>();
-    const double sigma = std::sqrt(0.5 * position.trace()) + std::abs(u.speed) * u.duration;
+    const double sigma = std::sqrt(0.5 * position.trace()) + ground_speed(u) * u.duration;
     position = square(sigma) * Eigen::Matrix2d::Identity();
   }
   if (phase_ != Phase::kTracking) return;
@@ -99,10 +99,16 @@ void DualAntennaEkf::predict(const OdometryIncrement& u) {
   if (parameters_.heading_jacobian) F = motion_jacobians(pose(), u, {}).pose;
   const Eigen::Matrix<double, 3, 2> G = wheel_jacobian(pose(), u, parameters_.wheel_separation);
   const WheelSpeeds wheels = wheel_speeds(u.speed, u.yaw_rate, parameters_.wheel_separation);
-  const bool at_rest = std::max(std::abs(wheels.left), std::abs(wheels.right)) < kStandstill;
+  const double fastest = std::max({std::abs(wheels.left), std::abs(wheels.right), std::abs(u.lateral_speed)});
+  const bool at_rest = fastest < kStandstill;
   const double sigma = at_rest ? parameters_.wheel_noise_at_rest : parameters_.wheel_noise;
   const double variance = square(sigma) * parameters_.noise_period / u.duration;
-  kalman::predict<kStates>(belief_, x, F, variance * G * G.transpose());  // Eq. (4)
+  Eigen::Matrix3d Q = variance * G * G.transpose();
+  if (u.lateral_speed != 0.0) {  // departs: the rollers of an omnidirectional base err as its wheels do
+    const Eigen::Vector2d across = u.duration * rotation(belief_.mean(kYaw)).col(1);
+    Q.topLeftCorner<2, 2>() += 0.5 * variance * across * across.transpose();
+  }
+  kalman::predict<kStates>(belief_, x, F, Q);  // Eq. (4)
 }
 
 Innovation DualAntennaEkf::update(const Measurement& z) {

@@ -39,7 +39,7 @@ bool usable(const PosePrior& prior) {
 
 bool usable(const OdometryIncrement& u) {
   return std::isfinite(u.stamp) && std::isfinite(u.speed) && std::isfinite(u.yaw_rate) &&
-         std::isfinite(u.duration) && u.duration > 0.0;
+         std::isfinite(u.lateral_speed) && std::isfinite(u.duration) && u.duration > 0.0;
 }
 
 std::optional<Reason> FixCheck::defect(const GnssFix& fix) {

@@ -76,7 +76,7 @@ void Localizer::add(const OdometryIncrement& reported) {
     const OdometryIncrement part = lasting(increment, from, to);
     history_.add(part);
     mirror_check_.add(part);
-    driven_ += std::abs(part.speed) * part.duration;
+    driven_ += ground_speed(part) * part.duration;
     estimator_->predict(part);
     now_ = from = to;
   };

@@ -22,7 +22,7 @@ void OdometryJumpParameters::fields(ParameterVisitor& field) {
 
 void OdometryJump::add(const OdometryIncrement& u) {
   current_.duration += u.duration;
-  current_.distance += u.speed * u.duration;
+  current_.way += u.duration * Eigen::Vector2d(u.speed, u.lateral_speed);
   current_.turn += u.yaw_rate * u.duration;
   if (current_.duration < kWindow - kRounding) return;
   jump_ = jump_ || (last_but_one_ && jumped(*last_but_one_, *last_, current_));
@@ -33,12 +33,13 @@ void OdometryJump::add(const OdometryIncrement& u) {
 
 bool OdometryJump::jumped(const Window& before, const Window& between, const Window& after) const {
   const double time = between.duration + 0.5 * (before.duration + after.duration);
-  const double speed = after.distance / after.duration - before.distance / before.duration;
+  const Eigen::Vector2d change = after.way / after.duration - before.way / before.duration;
+  const double speed = std::hypot(change.x(), change.y());
   const double yaw_rate = after.turn / after.duration - before.turn / before.duration;
-  const double way = std::abs(before.distance) + std::abs(after.distance);
+  const double way = std::hypot(before.way.x(), before.way.y()) + std::hypot(after.way.x(), after.way.y());
   const double speed_noise = noise_.distance * std::sqrt(way) / after.duration;
   const double yaw_rate_noise = noise_.yaw * std::sqrt(before.duration + after.duration) / after.duration;
-  return std::abs(speed) > parameters_.largest_acceleration * time + kNoiseGate * speed_noise ||
+  return speed > parameters_.largest_acceleration * time + kNoiseGate * speed_noise ||
          std::abs(yaw_rate) > parameters_.largest_yaw_acceleration * time + kNoiseGate * yaw_rate_noise;
 }
 

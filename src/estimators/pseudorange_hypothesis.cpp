@@ -160,15 +160,18 @@ void PseudorangeHypothesis::update_rate(const SlottedObservation& satellite, con
   const Antenna antenna(belief, epoch.antenna_in_base);
   const Eigen::Vector3d u = -line_of_sight(satellite.observation, antenna.position).direction;
   const double speed = epoch.speed / (1.0 + belief.mean(kScale));
+  const double lateral_speed = epoch.lateral_speed / (1.0 + belief.mean(kScale));
   const double turn = epoch.yaw_rate - belief.mean(kGyroBias);
   const Eigen::Vector2d along(std::cos(belief.mean(kYaw)), std::sin(belief.mean(kYaw)));
   const Eigen::Vector2d across(-along.y(), along.x());
   const Eigen::Vector2d swing(-antenna.lever.y(), antenna.lever.x());
-  const Eigen::Vector2d velocity = speed * along + turn * swing;
+  const Eigen::Vector2d of_base = speed * along + lateral_speed * across;
+  const Eigen::Vector2d velocity = of_base + turn * swing;
 
   SparseRow H;
-  H.set(kYaw, u.head<2>().dot(speed * across - turn * antenna.lever));
-  H.set(kScale, -speed / (1.0 + belief.mean(kScale)) * u.head<2>().dot(along));
+  H.set(kYaw, u.head<2>().dot(speed * across - lateral_speed * along - turn * antenna.lever));
+  H.set(kScale, -speed / (1.0 + belief.mean(kScale)) * u.head<2>().dot(along) -
+                    lateral_speed / (1.0 + belief.mean(kScale)) * u.head<2>().dot(across));
   H.set(kGyroBias, -u.head<2>().dot(swing));
   H.set(State::kDrift, 1.0);
   const double predicted =
@@ -179,7 +182,7 @@ void PseudorangeHypothesis::update_rate(const SlottedObservation& satellite, con
   const double S = H.dot(PHt) + variance;
 
   // A reflected range rate may be off either way, by as much as the vehicle moves.
-  const double spread = S + square(errors.range_rate_sigma) + square(speed);
+  const double spread = S + square(errors.range_rate_sigma) + square(speed) + square(lateral_speed);
   const double p = std::clamp(probability, kLeastMode, 1.0 - kLeastMode);
   const double log_ratio = -0.5 * (square(innovation) * (1.0 / S - 1.0 / spread) + std::log(S / spread));
   const double q = 1.0 / (1.0 + (1.0 - p) / p * std::exp(-log_ratio));

@@ -71,7 +71,7 @@ void PseudorangeMixtureFilter::predict(const OdometryIncrement& u) {
   last_ = u;
   if (bank_.empty()) return;
   odometry_.add(u);
-  if (!standing(u)) moved_ += std::abs(u.speed) * u.duration;
+  if (!standing(u)) moved_ += ground_speed(u) * u.duration;
   if (odometry_.duration() > kLongestFlush) {
     flush_odometry();
     refresh();
@@ -130,6 +130,7 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
   result.information = result.duration * (has_clock_ && !in_doubt() ? std::clamp(pace, kAtRest, 1.0) : 1.0);
   result.bias_variance = square(parameters_.receiver.bias_sigma);
   result.speed = last_.speed;
+  result.lateral_speed = last_.lateral_speed;
   result.yaw_rate = last_.yaw_rate;
   const std::vector<SatelliteObservation> observations = usable_observations(epoch);
   follow(slots_.admit(owners_of(observations), last_.stamp));

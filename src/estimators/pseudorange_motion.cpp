@@ -12,7 +12,7 @@ namespace {
 constexpr double kSlowest = 0.5;         ///< whose direction counts as course [m/s]
 constexpr double kVelocitySigma = 0.2;   ///< across the course [m/s]
 constexpr double kSideslip = 0.01;       ///< 1 sigma between course and yaw [rad]
-constexpr double kReversing = -0.05;     ///< [m/s]
+constexpr double kRolling = 0.05;        ///< by odometry, so that its direction counts [m/s]
 constexpr double kFullNoiseSpeed = 1.0;  ///< slower, the odometry errs less [m/s]
 
 void move_by_doppler(Pose2& pose, PseudorangeParticle& particle, const OdometryIncrement& u,
@@ -21,7 +21,8 @@ void move_by_doppler(Pose2& pose, PseudorangeParticle& particle, const OdometryI
   Eigen::Vector3d& velocity = *particle.velocity;
   if (parameters.velocity_follows_odometry) {
     velocity.head<2>() = rotation(u.yaw_rate * u.duration) * velocity.head<2>();
-    velocity.head<2>() += (u.speed - before.speed) * rotation(pose.yaw).col(0);
+    const Eigen::Vector2d change(u.speed - before.speed, u.lateral_speed - before.lateral_speed);
+    velocity.head<2>() += rotation(pose.yaw) * change;
   }
   const double sigma = parameters.doppler_walk * std::sqrt(u.duration);
   pose.x += velocity.x() * u.duration + sigma * random.normal();
@@ -33,7 +34,7 @@ void move_by_doppler(Pose2& pose, PseudorangeParticle& particle, const OdometryI
 void move_by_odometry(Pose2& pose, PseudorangeParticle& particle, const OdometryIncrement& u,
                       const PseudorangeMotionParameters& parameters, RandomStream& random) {
   const double root = std::sqrt(u.duration);
-  const double sigma = parameters.odometry_walk * root * std::min(1.0, std::abs(u.speed) / kFullNoiseSpeed);
+  const double sigma = parameters.odometry_walk * root * std::min(1.0, ground_speed(u) / kFullNoiseSpeed);
   pose = moved(pose, u, particle.errors);
   pose.x += sigma * random.normal();
   pose.y += sigma * random.normal();
@@ -87,8 +88,9 @@ void adopt_velocity(Pose2& pose, PseudorangeParticle& particle, const Eigen::Vec
   particle.velocity = velocity;
   const double speed = velocity.head<2>().norm();
   if (speed < kSlowest) return;
-  const double backwards = u.speed < kReversing ? kPi : 0.0;
-  const double course = std::atan2(velocity.y(), velocity.x()) + backwards;
+  // The base need not point where it goes: backwards, or sideways. A lateral speed of 0 makes it +pi.
+  const double ahead = ground_speed(u) > kRolling ? std::atan2(0.0 - u.lateral_speed, u.speed) : 0.0;
+  const double course = std::atan2(velocity.y(), velocity.x()) + ahead;
   double& P = particle.course_variance;
   const double K = P / (P + square(kVelocitySigma / speed) + square(kSideslip));
   pose.yaw = wrap_angle(pose.yaw + K * angle_difference(course, pose.yaw));

@@ -79,7 +79,7 @@ void TwoStageEkf::predict(const OdometryIncrement& u) {
   const auto step = odometry_state::step(tracked_->bias_free.mean + offset, u, parameters_.odometry);
   two_stage::predict<kStates, 2>(*tracked_, step.mean - step.F * offset, step.F,
                                  Eigen::Matrix<double, kStates, 2>::Zero(), step.Q);
-  if (faulty_ && parameters_.bias_walk > 0.0) vary_bias(std::abs(u.speed) * u.duration);
+  if (faulty_ && parameters_.bias_walk > 0.0) vary_bias(ground_speed(u) * u.duration);
   if (rival_) rival_->predict(u, parameters_.odometry);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/core/twist_sample.hpp"
 #include "multipath_localization/models/doppler_velocity.hpp"
 #include "multipath_localization/models/robust_position.hpp"
 
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kStandstillSpeed = 0.1;  // [m/s]
 constexpr double kStandstillSigmas = 5.0;
-constexpr double kFirstInterval = 1e-3;  // [s]
 
 bool standing(const VelocitySample& sample) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(sample.covariance, Eigen::EigenvaluesOnly);

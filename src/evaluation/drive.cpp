@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "multipath_localization/core/twist_sample.hpp"
 #include "multipath_localization/evaluation/doppler_odometry.hpp"
 #include "multipath_localization/evaluation/pseudorange_file.hpp"
 
@@ -11,7 +12,6 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kFirstInterval = 1e-3;
 constexpr double kFastest = 1e3;     ///< that wheels say [m/s], [rad/s]
 constexpr double kMostTurned = 1e6;  ///< that a yaw says [rad]
 const std::vector<std::string> kFixColumns = {"t",         "lat_deg",   "lon_deg",
@@ -33,12 +33,16 @@ Geodetic point(const CsvTable& table, std::size_t row) {
 std::vector<OdometryIncrement> read_odometry(const std::string& file) {
   const CsvTable table(file, {"t", "vx", "wz"});
   if (table.rows() < 2) throw DriveError(file + ": fewer than two rows");
-  std::vector<TwistSample> samples;
+  std::vector<OdometryIncrement> increments;
+  TwistSample before;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    samples.push_back(
-        {stamp_in_order(table, i), table.number(i, "vx", kFastest), table.number(i, "wz", kFastest)});
+    const TwistSample now{stamp_in_order(table, i), table.number(i, "vx", kFastest),
+                          table.number(i, "wz", kFastest),
+                          table.has("vy") ? table.number(i, "vy", kFastest) : 0.0};
+    increments.push_back(i == 0 ? motion_of(now, kFirstInterval) : motion_between(before, now));
+    before = now;
   }
-  return increments(samples);
+  return increments;
 }
 
 /// The motion by Doppler of a drive without wheel odometry.
@@ -107,17 +111,6 @@ std::vector<GnssFix> Drive::fixes() const {
     if (const auto* two = std::get_if<DualAntennaFix>(&recorded.measurement)) {
       all.insert(all.end(), {two->left, two->right});
     }
-  }
-  return all;
-}
-
-std::vector<OdometryIncrement> increments(const std::vector<TwistSample>& samples) {
-  std::vector<OdometryIncrement> all;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const TwistSample& a = samples[i == 0 ? 0 : i - 1];
-    const TwistSample& b = samples[i];
-    const double duration = i == 0 ? kFirstInterval : b.stamp - a.stamp;
-    all.push_back({b.stamp, duration, 0.5 * (a.speed + b.speed), 0.5 * (a.yaw_rate + b.yaw_rate)});
   }
   return all;
 }

@@ -17,7 +17,7 @@ OdometryTrack::OdometryTrack(const std::vector<OdometryIncrement>& increments) {
   for (const OdometryIncrement& increment : increments) {
     nodes_.push_back({increment, pose, distance});
     pose = pose * displacement(increment);
-    distance += std::abs(increment.speed) * increment.duration;
+    distance += ground_speed(increment) * increment.duration;
   }
 }
 
@@ -41,7 +41,7 @@ std::optional<double> OdometryTrack::distance(double stamp) const {
   const Node* node = at(stamp);
   if (node == nullptr) return std::nullopt;
   const double duration = node->increment.duration - (node->increment.stamp - stamp);
-  return node->distance + std::abs(node->increment.speed) * duration;
+  return node->distance + ground_speed(node->increment) * duration;
 }
 
 std::vector<Chord> chords(const std::vector<GnssFix>& fixes, const OdometryTrack& track, double length) {

@@ -55,9 +55,10 @@ class Replay {
 };
 
 /// The direction in which truth goes on from a sample: to the first one a metre away, within two seconds and
-/// while the odometry drives forward.
+/// while the odometry drives straight forward.
 std::optional<double> direction_of_travel(const Drive& drive, const TruthSample& from) {
-  if (drive.odometry.front().speed <= 0.0) return std::nullopt;
+  const OdometryIncrement& first = drive.odometry.front();
+  if (first.speed <= 0.0 || first.lateral_speed != 0.0) return std::nullopt;
   for (const TruthSample& to : drive.truth) {
     const Eigen::Vector2d way = to.base_in_map.position() - from.base_in_map.position();
     if (to.stamp > from.stamp + 2.0) break;

@@ -18,6 +18,7 @@ double yaw_rate(const WheelSpeeds& wheels, double separation) {
 Eigen::Matrix<double, 3, 2> wheel_jacobian(const Pose2& pose, const OdometryIncrement& u, double separation) {
   OdometryIncrement at_unit_speed = u;
   at_unit_speed.speed = 1.0;
+  at_unit_speed.lateral_speed = 0.0;
   Eigen::Vector3d by_speed = Eigen::Vector3d::Zero();
   by_speed.head<2>() = rotation(pose.yaw) * displacement(at_unit_speed).position();
   const Eigen::Vector3d by_yaw_rate = -motion_jacobians(pose, u, {}).errors.col(1);  // of a gyro's bias

@@ -24,7 +24,7 @@ void MirrorCheck::clear() { *this = MirrorCheck(); }
 
 void MirrorCheck::add(const OdometryIncrement& u) {
   base_in_odom_ = base_in_odom_ * displacement(u);
-  driven_ += std::abs(u.speed) * u.duration;
+  driven_ += ground_speed(u) * u.duration;
 }
 
 void MirrorCheck::add(const GnssFix& fix) {

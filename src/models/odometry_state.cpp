@@ -20,13 +20,16 @@ OdometerErrors errors(const Vector& state) { return {state(kScale), state(kGyroB
 Step step(const Vector& state, const OdometryIncrement& u, const OdometryNoise& noise) {
   const MotionJacobians jacobians = motion_jacobians(pose(state), u, errors(state));
   const Pose2 end = moved(pose(state), u, errors(state));
-  const Eigen::Vector2d along = rotation(state(kYaw)).col(0);
+  const Eigen::Matrix2d axes = rotation(state(kYaw));
+  const Eigen::Vector2d along = axes.col(0);
+  const Eigen::Vector2d across = axes.col(1);
   Step result{state, Matrix::Identity(), Matrix::Zero()};
   result.mean.head<3>() << end.x, end.y, end.yaw;
   result.F.topLeftCorner<3, 3>() = jacobians.pose;
   result.F.topRightCorner<3, 2>() = jacobians.errors;
   result.Q.topLeftCorner<2, 2>() =
-      square(noise.distance) * std::abs(u.speed) * u.duration * along * along.transpose();
+      square(noise.distance) * std::abs(u.speed) * u.duration * along * along.transpose() +
+      square(noise.distance) * std::abs(u.lateral_speed) * u.duration * across * across.transpose();
   result.Q(kYaw, kYaw) = square(noise.yaw) * u.duration;
   result.Q(kScale, kScale) = square(noise.scale_walk) * u.duration;
   result.Q(kGyroBias, kGyroBias) = square(noise.gyro_bias_walk) * u.duration;

@@ -30,21 +30,25 @@ void PreintegratedOdometry::add(const OdometryIncrement& increment) {
   if (standing(increment)) return;
 
   const double distance = increment.speed / (1.0 + scale_) * dt;
+  const double sideways = increment.lateral_speed / (1.0 + scale_) * dt;
   const double turn = (increment.yaw_rate - gyro_bias_) * dt;
   const double heading = turn_ + 0.5 * turn;
   const Eigen::Vector2d along(std::cos(heading), std::sin(heading));
   const Eigen::Vector2d across(-along.y(), along.x());
 
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
-  F.topRightCorner<2, 1>() = distance * across;
+  const Eigen::Vector2d way = distance * along + sideways * across;
+  const Eigen::Vector2d turned_way = distance * across - sideways * along;
+  F.topRightCorner<2, 1>() = turned_way;
   covariance_ = F * covariance_ * F.transpose();
   covariance_.topLeftCorner<2, 2>() +=
-      noise_.distance * noise_.distance * std::abs(distance) * along * along.transpose();
+      noise_.distance * noise_.distance * std::abs(distance) * along * along.transpose() +
+      noise_.distance * noise_.distance * std::abs(sideways) * across * across.transpose();
   covariance_(2, 2) += noise_.yaw * noise_.yaw * dt;
 
-  displacement_ += distance * along;
-  by_scale_ -= distance / (1.0 + scale_) * along;
-  by_gyro_bias_ -= (moving_time_ + 0.5 * dt) * distance * across;
+  displacement_ += way;
+  by_scale_ -= way / (1.0 + scale_);
+  by_gyro_bias_ -= (moving_time_ + 0.5 * dt) * turned_way;
   turn_ += turn;
   moving_time_ += dt;
 }

@@ -22,7 +22,7 @@ void RigidAlignment::clear() {
 
 void RigidAlignment::add(const OdometryIncrement& increment) {
   base_in_odom_ = base_in_odom_ * displacement(increment);
-  distance_ += std::abs(increment.speed) * increment.duration;
+  distance_ += ground_speed(increment) * increment.duration;
 }
 
 void RigidAlignment::add(const Eigen::Vector2d& base_by_fix) {

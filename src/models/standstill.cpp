@@ -9,17 +9,24 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kAboveNoise = 0.1;  ///< no gyro says so much without turning [rad/s]
-constexpr double kAboveBias = 0.02;  ///< nor on average [rad/s]
-constexpr double kMemory = 0.5;      ///< of the average [s]
+constexpr double kAboveNoise = 0.1;       ///< no gyro says so much without turning [rad/s]
+constexpr double kAboveBias = 0.02;       ///< nor on average [rad/s]
+constexpr double kStrafing = 0.1;         ///< no odometry says so much without strafing [m/s]
+constexpr double kStrafingOnMean = 0.02;  ///< nor on average [m/s]
+constexpr double kMemory = 0.5;           ///< of the averages [s]
 
 }  // namespace
 
 OdometryIncrement Standstill::settled(const OdometryIncrement& u) {
-  yaw_rate_ += std::min(1.0, u.duration / kMemory) * (u.yaw_rate - yaw_rate_);
+  const double share = std::min(1.0, u.duration / kMemory);
+  yaw_rate_ += share * (u.yaw_rate - yaw_rate_);
+  lateral_speed_ += share * (u.lateral_speed - lateral_speed_);
   OdometryIncrement result = u;
   const bool turning = std::abs(u.yaw_rate) > kAboveNoise || std::abs(yaw_rate_) > kAboveBias;
-  if (std::abs(u.speed) < kStandstillSpeed && !turning) result.yaw_rate = 0.0;
+  const bool strafing = std::abs(u.lateral_speed) > kStrafing || std::abs(lateral_speed_) > kStrafingOnMean;
+  if (std::abs(u.speed) < kStandstillSpeed && !turning && !strafing) {
+    result.yaw_rate = result.lateral_speed = 0.0;
+  }
   return result;
 }
 

@@ -40,6 +40,20 @@ void draw_arcs(const Normals* normals, SteeringMotion::Law law, Arcs* arcs, std:
   }
 }
 
+/// What [NIS] has no need of: the part of the chord of a base that moves sideways as well.
+void drift(PoseBlock poses, const Normals* normals, SteeringMotion::Law law, const Arcs* arcs) {
+  const double noise = law.deviation_scale * law.sigma_lateral_speed;
+#pragma omp simd
+  for (std::size_t i = 0; i < poses.size; ++i) {
+    const double half_turn = arcs->half_turn[i];
+    const double v = law.lateral_speed + noise * static_cast<double>(normals->second()[i]);
+    const double chord = v * law.duration * elementary::sinc(clamped(half_turn, kPi));
+    const auto [s, c] = elementary::sincos_pi((poses.yaw[i] + half_turn) * (1.0 / kPi));
+    poses.x[i] -= chord * s;
+    poses.y[i] += chord * c;
+  }
+}
+
 /// Eqs. (3), (8) of [NIS].
 void follow_arcs(PoseBlock poses, const Normals* normals, SteeringMotion::Law law, const Arcs* arcs) {
   const double yaw_noise = law.deviation_scale * law.sigma_yaw_rate * law.duration;
@@ -82,17 +96,20 @@ double steering_angle(const OdometryIncrement& u, double wheelbase) {
 SteeringMotion::SteeringMotion(const OdometryIncrement& u, const SteeringNoiseParameters& parameters)
     : standing_(standing(u)) {
   law_.speed = u.speed;
+  law_.lateral_speed = u.lateral_speed;
   law_.yaw_rate = u.yaw_rate;
   law_.duration = u.duration;
   law_.wheelbase = parameters.wheelbase;
   law_.max_steering_angle = parameters.max_steering_angle;
   law_.steering_angle = clamped(steering_angle(u, parameters.wheelbase), parameters.max_steering_angle);
-  if (std::abs(u.speed) < kStandstillSpeed) return;
+  if (ground_speed(u) < kStandstillSpeed) return;
   const auto sigma = [&](double speed_weight, double angle_weight) {
     return std::sqrt(parameters.noise_scale) *
-           deviation(speed_weight, angle_weight, u.speed, law_.steering_angle);
+           deviation(speed_weight, angle_weight, ground_speed(u), law_.steering_angle);
   };
   law_.sigma_speed = sigma(parameters.alpha1, parameters.alpha2);
+  law_.sigma_lateral_speed =
+      std::sqrt(parameters.noise_scale * parameters.alpha1) * std::abs(u.lateral_speed);
   law_.sigma_steering = sigma(parameters.alpha3, parameters.alpha4);
   law_.sigma_yaw_rate = sigma(parameters.alpha5, parameters.alpha6);
   law_.deviation_scale = std::sqrt(parameters.noise_period / u.duration);
@@ -102,6 +119,7 @@ void SteeringMotion::move(InstructionSet set, const PoseBlock& poses, const Norm
   if (standing_) return;
   Arcs arcs;
   run<draw_arcs>(set, &normals, law_, &arcs, poses.size);
+  if (law_.lateral_speed != 0.0) run<drift>(set, poses, &normals, law_, static_cast<const Arcs*>(&arcs));
   run<follow_arcs>(set, poses, &normals, law_, static_cast<const Arcs*>(&arcs));
 }
 

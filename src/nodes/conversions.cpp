@@ -166,6 +166,7 @@ std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped
 nav_msgs::Odometry with_motion(nav_msgs::Odometry odometry, const OdometryIncrement& motion) {
   odometry.twist.twist = geometry_msgs::Twist();
   odometry.twist.twist.linear.x = motion.speed;
+  odometry.twist.twist.linear.y = motion.lateral_speed;
   odometry.twist.twist.angular.z = motion.yaw_rate;
   auto& covariance = odometry.twist.covariance;
   if (!std::all_of(covariance.begin(), covariance.end(), [](double c) { return std::isfinite(c); })) {

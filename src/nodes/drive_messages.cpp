@@ -73,6 +73,7 @@ TopicMessage DriveMessages::of(const OdometryIncrement& increment) {
   message.child_frame_id = frames_.base_link_frame;
   message.pose.pose = to_message(base_in_odom_);
   message.twist.twist.linear.x = increment.speed;
+  message.twist.twist.linear.y = increment.lateral_speed;
   message.twist.twist.angular.z = increment.yaw_rate;
   return {"odom", message};
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr double kTimeJump = 1.0;  ///< [s]
 
 bool same(const OdometryIncrement& a, const OdometryIncrement& b) {
-  return a.speed == b.speed && a.yaw_rate == b.yaw_rate;
+  return a.speed == b.speed && a.yaw_rate == b.yaw_rate && a.lateral_speed == b.lateral_speed;
 }
 
 }  // namespace

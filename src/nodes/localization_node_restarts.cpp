@@ -18,7 +18,8 @@ constexpr double kSameDatum = 0.01;   ///< two are one within this [m]
 /// `message` has its motion in its twist.
 OdometryState state_of(const nav_msgs::Odometry& message, const Pose2& base_in_odom) {
   const geometry_msgs::Twist& twist = message.twist.twist;
-  return {message.header.stamp.toSec(), base_in_odom, twist.linear.x, twist.angular.z};
+  return {message.header.stamp.toSec(), base_in_odom, std::hypot(twist.linear.x, twist.linear.y),
+          twist.angular.z};
 }
 
 void save(const std::string& file, const SavedPose& pose) {

@@ -10,6 +10,8 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kFirstInterval = 1e-3;
+constexpr double kLeastSideways = 1e-9;  ///< beyond rounding [m]
+constexpr double kOfHalfTurn = 1.1;      ///< what may still come of the yaw at an end of the interval
 
 bool finite(const nav_msgs::Odometry& message) {
   const auto& position = message.pose.pose.position;
@@ -26,21 +28,27 @@ bool at_rest(const geometry_msgs::Twist& twist) {
   return twist.linear.x == 0.0 && twist.linear.y == 0.0 && twist.angular.z == 0.0;
 }
 
-/// Speed and yaw rate of the arc that leads from the origin to `there` in `duration`.
+/// Velocity and yaw rate of the arc that leads from the origin to `there` in `duration`. Drivers integrate
+/// by the yaw at either end of an interval as well, which leads off an arc by half the turn: that much is no
+/// motion sideways.
 OdometryIncrement arc_to(const Pose2& there, double duration) {
   const double half_turn = 0.5 * there.yaw;
-  const double along = std::cos(half_turn) * there.x + std::sin(half_turn) * there.y;
+  const Eigen::Vector2d chord = rotation(-half_turn) * there.position();
+  const bool sideways = std::abs(chord.y()) > kLeastSideways + std::abs(chord.x() * half_turn) * kOfHalfTurn;
   const double chord_per_arc = std::abs(half_turn) < 1e-6 ? 1.0 : std::sin(half_turn) / half_turn;
   OdometryIncrement increment;
   increment.duration = duration;
-  increment.speed = along / chord_per_arc / duration;
+  increment.speed = chord.x() / chord_per_arc / duration;
   increment.yaw_rate = there.yaw / duration;
+  if (sideways) increment.lateral_speed = chord.y() / chord_per_arc / duration;
   return increment;
 }
 
 }  // namespace
 
 void OdometryParameters::fields(ParameterVisitor& field) {
+  field("lateral", lateral,
+        "read motion sideways, twist.linear.y; false for a base that cannot, of which it is noise");
   field("max_speed", max_speed, {0.1, 1e3}, "m/s", "odometry that claims more is refused");
   field("max_yaw_rate", max_yaw_rate, {0.1, 1e3}, "rad/s", "odometry that claims more is refused");
   field("max_gap", max_gap, {0.1, 600.0}, "s", "longer gaps in odometry are not bridged but start afresh");
@@ -69,7 +77,7 @@ CheckedOdometry OdometryReader::read(const nav_msgs::Odometry& message) {
   checked.base_in_odom = now.base_in_odom;
   checked.increment = motion(message, now);
   last_pose_ = now;
-  if (std::abs(checked.increment.speed) > parameters_.max_speed ||
+  if (ground_speed(checked.increment) > parameters_.max_speed ||
       std::abs(checked.increment.yaw_rate) > parameters_.max_yaw_rate) {
     checked.reason = Reason::kTooFast;
     return checked;
@@ -109,10 +117,12 @@ OdometryIncrement OdometryReader::motion(const nav_msgs::Odometry& message, cons
     increment = arc_to(inverse(last_pose_->base_in_odom) * now.base_in_odom, now.stamp - last_pose_->stamp);
   } else {
     increment.speed = message.twist.twist.linear.x;
+    increment.lateral_speed = message.twist.twist.linear.y;
     increment.yaw_rate = message.twist.twist.angular.z;
   }
   increment.stamp = now.stamp;
   increment.duration = last_stamp_ ? now.stamp - *last_stamp_ : kFirstInterval;
+  if (!parameters_.lateral) increment.lateral_speed = 0.0;
   return increment;
 }
 

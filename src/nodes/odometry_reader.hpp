@@ -13,6 +13,7 @@ namespace multipath_localization {
 
 /// How odometry is read.
 struct OdometryParameters {
+  bool lateral = true;
   double max_speed = 50.0;
   double max_yaw_rate = 20.0;
   double max_gap = 5.0;
@@ -31,7 +32,7 @@ struct CheckedOdometry {
 
 /// Turns nav_msgs/Odometry into increments: the twist over the time since the message before, or, when the
 /// twist is all zero while the pose moves, the difference of the poses; the speed is negative in reverse
-/// either way.
+/// either way, and motion sideways is read unless `lateral` is false.
 ///
 /// | in the message                                       | what happens                                  |
 /// |------------------------------------------------------|-----------------------------------------------|

@@ -13,7 +13,7 @@ namespace multipath_localization {
 struct OdometryState {
   double stamp = 0.0;  ///< [s]
   Pose2 base_in_odom;
-  double speed = 0.0;     ///< [m/s]
+  double speed = 0.0;     ///< over ground [m/s]
   double yaw_rate = 0.0;  ///< [rad/s]
 };
 

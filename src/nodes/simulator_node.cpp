@@ -123,6 +123,7 @@ void SimulatorNode::publish_odometry(const OdometryIncrement& increment) {
   message.child_frame_id = parameters_.frames.base_link_frame;
   message.pose.pose = to_message(base_in_odom_);
   message.twist.twist.linear.x = increment.speed;
+  message.twist.twist.linear.y = increment.lateral_speed;
   message.twist.twist.angular.z = increment.yaw_rate;
   const double speed_sigma = std::hypot(odometer.speed_noise, odometer.speed_noise_ratio * increment.speed);
   for (const std::size_t axis : {0U, 7U, 14U, 21U, 28U, 35U}) {
@@ -141,6 +142,7 @@ void SimulatorNode::publish_truth() {
   message.child_frame_id = parameters_.frames.base_link_frame;
   message.pose.pose = to_message(simulator_.truth());
   message.twist.twist.linear.x = simulator_.speed();
+  message.twist.twist.linear.y = simulator_.lateral_speed();
   message.twist.twist.angular.z = simulator_.yaw_rate();
   truth_.publish(message);
   geometry_msgs::Vector3Stamped bias;

@@ -59,6 +59,7 @@ std::optional<OdometryIncrement> Odometer::step(const Robot& robot, double time,
   const double slip = slip_ratio(time, duration);
   slipping_ = slip != 0.0;
   distance_ += speed * (1.0 + slip) * duration;
+  sideways_ += (told ? robot.strafing() : robot.lateral_speed()) * (1.0 + slip) * duration;
   turn_ += (told ? yaw_rate(robot.command(), robot.parameters().wheelbase) : robot.yaw_rate()) * duration;
   elapsed_ += duration;
 
@@ -67,11 +68,16 @@ std::optional<OdometryIncrement> Odometer::step(const Robot& robot, double time,
   emitted_ = due;
 
   RandomStream random(seed_, steps_, kOdometerNoiseStream);
-  OdometryIncrement increment{time, elapsed_, scale_ * distance_ / elapsed_, turn_ / elapsed_ + gyro_bias_};
+  OdometryIncrement increment{time, elapsed_, scale_ * distance_ / elapsed_, turn_ / elapsed_ + gyro_bias_,
+                              scale_ * sideways_ / elapsed_};
   const double ratio_noise = parameters_.speed_noise_ratio * std::abs(increment.speed);
   increment.speed += std::hypot(parameters_.speed_noise, ratio_noise) * random.normal();
   increment.yaw_rate += parameters_.yaw_rate_noise * random.normal();
-  distance_ = turn_ = elapsed_ = 0.0;
+  if (robot.parameters().drive == "omnidirectional") {
+    const double lateral_ratio_noise = parameters_.speed_noise_ratio * std::abs(increment.lateral_speed);
+    increment.lateral_speed += std::hypot(parameters_.speed_noise, lateral_ratio_noise) * random.normal();
+  }
+  distance_ = sideways_ = turn_ = elapsed_ = 0.0;
   return increment;
 }
 

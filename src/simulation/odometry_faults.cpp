@@ -40,12 +40,16 @@ void OdometryFaultParameters::fields(ParameterVisitor& field) {
 
 OdometryIncrement OdometryFaults::distorted(OdometryIncrement increment) const {
   const double time = increment.stamp - start_;
-  if (const SlipParameters* slip = first_at(parameters_.slips, time)) increment.speed *= 1.0 + slip->ratio;
+  if (const SlipParameters* slip = first_at(parameters_.slips, time)) {
+    increment.speed *= 1.0 + slip->ratio;
+    increment.lateral_speed *= 1.0 + slip->ratio;
+  }
   if (const EncoderFault* dead = first_at(parameters_.dead_encoders, time)) {
     const double apart = 0.5 * increment.yaw_rate * dead->wheel_separation;
     const double left = dead->wheel == "right" ? increment.speed - apart : 0.0;
     const double right = dead->wheel == "left" ? increment.speed + apart : 0.0;
     increment.speed = 0.5 * (left + right);
+    increment.lateral_speed *= dead->wheel == "both" ? 0.0 : 0.5;  // the mean of the wheels on both sides
     increment.yaw_rate = (right - left) / dead->wheel_separation;
   }
   return increment;

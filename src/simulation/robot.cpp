@@ -18,10 +18,16 @@ double approach(double value, double goal, double step) {
 
 }  // namespace
 
+void StrafeParameters::fields(ParameterVisitor& field) {
+  field("start", start, {0.0, 1e9}, "s", "of the way sideways");
+  field("duration", duration, {0.0, 1e9}, "s", "of the way sideways");
+  field("speed", speed, {-100.0, 100.0}, "m/s", "to the left, beside the motion commanded");
+}
+
 void RobotParameters::fields(ParameterVisitor& field) {
-  field(
-      "drive", drive, {"steering", "differential"},
-      "steering: a front wheel, its noise by alpha; differential: two driven wheels, theirs by wheel_noise");
+  field("drive", drive, {"steering", "differential", "omnidirectional"},
+        "steering: a front wheel, its noise by alpha; differential: two driven wheels, theirs by "
+        "wheel_noise; omnidirectional: as differential, and strafes as told");
   field("wheelbase", wheelbase, {0.01, 100.0}, "m",
         "l of [NIS], front to rear axle; differential: makes a yaw rate of the steering angle");
   field("start_x", start_x, {-1e6, 1e6}, "m", "start in map, east");
@@ -38,6 +44,7 @@ void RobotParameters::fields(ParameterVisitor& field) {
   field("wheel_separation", wheel_separation, {0.01, 100.0}, "m", "differential: B of [KAM]");
   field("wheel_noise", wheel_noise, {0.0, 100.0}, "m/s",
         "differential: of either wheel over the ground, drawn every step; Table 2 of [KAM] has 0.1, 0.3, 1");
+  field.list("strafes", strafes, "ways sideways of an omnidirectional robot");
 }
 
 Robot::Robot(const RobotParameters& parameters, std::uint64_t seed)
@@ -60,11 +67,13 @@ void Robot::limit(const MotionCommand& command, double duration) {
 void Robot::step(const MotionCommand& command, double duration) {
   limit(command, duration);
   RandomStream random(seed_, ++steps_, kRobotStream);
-  if (parameters_.drive == "differential") {
-    roll(random, duration);
-  } else {
+  if (parameters_.drive == "steering") {
     steer(random, duration);
+  } else {
+    roll(random, duration);
   }
+  if (parameters_.drive == "omnidirectional") strafe(random, duration);
+  time_ += duration;
 }
 
 void Robot::steer(RandomStream& random, double duration) {
@@ -99,6 +108,21 @@ void Robot::roll(RandomStream& random, double duration) {
   speed_ = multipath_localization::speed(wheels);
   yaw_rate_ = multipath_localization::yaw_rate(wheels, parameters_.wheel_separation);
   pose_ = pose_ * displacement({0.0, duration, speed_, yaw_rate_});
+}
+
+/// Sideways over the turn that the robot has just made.
+void Robot::strafe(RandomStream& random, double duration) {
+  double goal = 0.0;
+  for (const StrafeParameters& way : parameters_.strafes) {
+    if (time_ >= way.start && time_ < way.start + way.duration) goal = way.speed;
+  }
+  goal = std::clamp(goal, -parameters_.max_speed, parameters_.max_speed);
+  strafing_ = approach(strafing_, goal, parameters_.max_acceleration * duration);
+  lateral_speed_ = strafing_ == 0.0 ? 0.0 : strafing_ + parameters_.wheel_noise * random.normal();
+  const Pose2 before = pose_ * inverse(displacement({0.0, duration, 0.0, yaw_rate_}));
+  const Pose2 sideways = before * displacement({0.0, duration, 0.0, yaw_rate_, lateral_speed_});
+  pose_.x = sideways.x;
+  pose_.y = sideways.y;
 }
 
 }  // namespace multipath_localization

@@ -29,8 +29,9 @@ class SimulatedDrive {
   Eigen::Vector2d antenna = Eigen::Vector2d::Zero();
   double fix_sigma = 0.3;
   double speed = 2.0;
-  double bend = 0.3;     ///< largest yaw rate [rad/s]
-  double latency = 0.0;  ///< [s]
+  double lateral_speed = 0.0;  ///< beside it [m/s]
+  double bend = 0.3;           ///< largest yaw rate [rad/s]
+  double latency = 0.0;        ///< [s]
   double time = 0.0;
   std::function<Eigen::Vector2d(double)> bias = [](double) { return Eigen::Vector2d(0.0, 0.0); };
   /// What becomes of the odometry on its way.
@@ -73,8 +74,8 @@ class SimulatedDrive {
   OdometryIncrement drive() {
     RandomStream random(seed_, ++step_, 1);
     time = kStep * step_;
-    if (speed == 0.0) return {time, kStep, 0.0, errors.gyro_bias};
-    const OdometryIncrement measured{time, kStep, speed, bend * std::sin(0.2 * time)};
+    if (speed == 0.0 && lateral_speed == 0.0) return {time, kStep, 0.0, errors.gyro_bias};
+    const OdometryIncrement measured{time, kStep, speed, bend * std::sin(0.2 * time), lateral_speed};
     const double along = noise_.distance * std::sqrt(std::abs(speed) * kStep) * random.normal();
     truth =
         moved(truth, measured, errors) * Pose2{along, 0.0, noise_.yaw * std::sqrt(kStep) * random.normal()};

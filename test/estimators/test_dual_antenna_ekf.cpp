@@ -173,6 +173,18 @@ TEST(DualAntennaEkf, RefusesAMeasuredCovarianceThatIsNone) {
   EXPECT_NO_THROW(DualAntennaEkf{parameters});
 }
 
+TEST(DualAntennaEkf, MovesSidewaysAndErrsAsItsWheelsDo) {
+  DualAntennaEkf filter{DualAntennaEkfParameters{}};
+  PosePrior prior;
+  prior.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+  filter.start(prior);
+  for (int i = 1; i <= 200; ++i) filter.predict({0.01 * i, 0.01, 0.0, 0.0, 0.5});
+  const PoseEstimate estimate = filter.estimate();
+  EXPECT_NEAR(estimate.pose.y, 1.0, 1e-9);
+  EXPECT_NEAR(estimate.pose.x, 0.0, 1e-9);
+  EXPECT_GT(estimate.covariance(1, 1), 1e-5) << "more than at rest";
+}
+
 TEST(DualAntennaEkf, SameCallsSameBytes) {
   const auto numbers = [] {
     SlippingRobot robot(16);

@@ -24,6 +24,13 @@ TEST(OdometryJump, SeesWheelsLockSpinAndAnEncoderDie) {
   EXPECT_TRUE(drive(jump, 0.5, 1.0, 3.3)) << "left encoder dead";
 }
 
+TEST(OdometryJump, SeesAStrafeThatEndsAtOnce) {
+  OdometryJump jump({}, OdometryNoise{});
+  for (int i = 0; i < 100; ++i) jump.add({0.02 * i, 0.02, 0.0, 0.0, 1.0});
+  EXPECT_FALSE(jump.take());
+  EXPECT_TRUE(drive(jump, 0.5, 0.0, 0.0));
+}
+
 TEST(OdometryJump, TakesWhatARobotCanDoForSound) {
   OdometryJump jump({}, OdometryNoise{});
   double speed = 0.0;

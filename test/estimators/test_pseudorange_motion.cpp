@@ -106,6 +106,17 @@ TEST(PseudorangeMotion, CourseOfAReversingRobotPointsBackwards) {
   EXPECT_NEAR(pose.yaw, 0.0, 0.02);
 }
 
+TEST(PseudorangeMotion, CourseOfAStrafingRobotPointsToItsSide) {
+  for (const double lateral_speed : {2.0, -2.0}) {
+    Pose2 pose{0.0, 0.0, 0.4};
+    PseudorangeParticle particle;
+    particle.course_variance = 1e6;
+    adopt_velocity(pose, particle, {2.0, 0.0, 0.0}, Eigen::Vector2d::Zero(),
+                   {1.0, 0.1, 0.0, 0.0, lateral_speed});
+    EXPECT_NEAR(angle_difference(pose.yaw, lateral_speed > 0.0 ? -0.5 * kPi : 0.5 * kPi), 0.0, 1e-3);
+  }
+}
+
 TEST(PseudorangeMotion, VelocityIsThatOfTheBaseNotOfItsAntenna) {
   PseudorangeParticle particle;
   Pose2 pose{0.0, 0.0, 0.5 * kPi};

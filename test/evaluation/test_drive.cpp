@@ -62,6 +62,12 @@ TEST_F(ReadDrive, OdometryBecomesIncrementsOfMeanTwist) {
   EXPECT_DOUBLE_EQ(drive.odometry[1].yaw_rate, 0.2);
 }
 
+TEST_F(ReadDrive, ReadsMotionSidewaysWhereItIsGiven) {
+  EXPECT_EQ(read_drive(folder_.path()).odometry[1].lateral_speed, 0.0);
+  folder_.write("odometry.csv", "t,vx,wz,vy\n0,1,0.1,0.2\n0.5,3,0.3,-0.6\n");
+  EXPECT_DOUBLE_EQ(read_drive(folder_.path()).odometry[1].lateral_speed, -0.2);
+}
+
 TEST_F(ReadDrive, HeadingAndShadowCountWhereTheyAreGiven) {
   folder_.write("truth.csv", "t,lat_deg,lon_deg,yaw,shadow\n0,50,10,0.5,0\n1,50,10,0.7,1\n");
   const Drive drive = read_drive(folder_.path());

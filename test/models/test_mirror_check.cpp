@@ -14,13 +14,15 @@ struct WindingDrive {
   double bend = 0.4;       ///< largest yaw rate [rad/s]
   double fix_sigma = 0.5;  ///< [m]
   double bias = 0.0;       ///< in the second half of each minute [m]
+  double course = 0.0;     ///< in the base: 0 forwards, pi/2 to the left [rad]
 
   int mirrored(MirrorCheck& check, double duration) const {
     int times = 0;
     Pose2 truth{10.0, 20.0, 0.5};
     for (int i = 1; i <= std::lround(10.0 * duration); ++i) {
       const double time = 0.1 * i;
-      OdometryIncrement u{time, 0.1, 2.0, bend * std::sin(0.2 * time)};
+      OdometryIncrement u{time, 0.1, 2.0 * std::cos(course), bend * std::sin(0.2 * time),
+                          2.0 * std::sin(course)};
       truth = truth * displacement(u);
       u.yaw_rate *= sign;
       check.add(u);
@@ -35,6 +37,15 @@ struct WindingDrive {
     return times;
   }
 };
+
+TEST(MirrorCheck, ARobotThatGoesSidewaysIsNotMirrored) {
+  MirrorCheck check;
+  WindingDrive drive;
+  drive.course = 0.5 * kPi;
+  EXPECT_EQ(drive.mirrored(check, 120.0), 0);
+  drive.sign = -1.0;
+  EXPECT_GT(drive.mirrored(check, 60.0), 10) << "the way counts, however the robot stands to it";
+}
 
 TEST(MirrorCheck, FindsOdometryThatTurnsTheOtherWayRound) {
   MirrorCheck check;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStep = 0.02;
 
-/// Forward, in reverse and at rest, with a yaw rate of its own at each step.
+/// Forward, in reverse, sideways and at rest, with a yaw rate of its own at each step.
 std::vector<OdometryIncrement> random_increments(std::uint64_t seed, int count) {
   std::vector<OdometryIncrement> increments;
   for (int i = 0; i < count; ++i) {
@@ -20,7 +20,8 @@ std::vector<OdometryIncrement> random_increments(std::uint64_t seed, int count) 
     const bool rests = random.uniform() < 0.1;
     const double speed = rests ? 0.0 : 1.0 + 1.5 * random.normal();
     const double yaw_rate = rests ? 0.0 : 0.8 * random.normal();
-    increments.push_back({kStep * (i + 1), kStep, speed, yaw_rate});
+    const double lateral_speed = rests ? 0.0 : 0.7 * random.normal();
+    increments.push_back({kStep * (i + 1), kStep, speed, yaw_rate, lateral_speed});
   }
   return increments;
 }
@@ -47,7 +48,7 @@ double arc_to_chord(const std::vector<OdometryIncrement>& increments) {
   double sum = 0.0;
   for (const OdometryIncrement& u : increments) {
     const double turn = (std::abs(u.yaw_rate) + 0.05) * u.duration;
-    sum += std::abs(u.speed) * u.duration * turn * turn / 24.0;
+    sum += ground_speed(u) * u.duration * turn * turn / 24.0;
   }
   return sum;
 }
@@ -136,7 +137,10 @@ TEST(PreintegratedOdometry, CovarianceIsThatOfManyDrawnDrives) {
     for (const OdometryIncrement& u : increments) {
       if (standing(u)) continue;
       const double along = noise.distance * std::sqrt(std::abs(u.speed) * u.duration) * random.normal();
-      pose = pose * displacement(u) * Pose2{along, 0.0, noise.yaw * std::sqrt(u.duration) * random.normal()};
+      const double across =
+          noise.distance * std::sqrt(std::abs(u.lateral_speed) * u.duration) * random.normal();
+      pose =
+          pose * displacement(u) * Pose2{along, across, noise.yaw * std::sqrt(u.duration) * random.normal()};
     }
     const Eigen::Vector3d d(pose.x - mean.x, pose.y - mean.y, angle_difference(pose.yaw, mean.yaw));
     observed += d * d.transpose() / kDrives;

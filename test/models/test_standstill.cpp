@@ -54,6 +54,31 @@ TEST(Standstill, SettlesAWholeDriveInOrder) {
   EXPECT_EQ(result[2].yaw_rate, 0.3);
 }
 
+/// Sum of the lateral speeds that are left [m], of `seconds` of this lateral speed, with noise.
+double strafed(Standstill& standstill, double seconds, double lateral_speed, double noise) {
+  double way = 0.0;
+  for (std::uint32_t i = 0; i * kStep < seconds; ++i) {
+    RandomStream random(2, i, 0);
+    const OdometryIncrement u{kStep * i, kStep, 0.0, 0.01, lateral_speed + noise * random.normal()};
+    way += standstill.settled(u).lateral_speed * kStep;
+  }
+  return way;
+}
+
+TEST(Standstill, NoiseOfTheLateralSpeedMovesNoParkedRobot) {
+  Standstill standstill;
+  EXPECT_EQ(strafed(standstill, 600.0, 0.005, 0.01), 0.0);
+  EXPECT_TRUE(standing(standstill.settled({0.0, kStep, 0.0, 0.01, 0.01})));
+}
+
+TEST(Standstill, AStrafingRobotDoesNotStand) {
+  Standstill standstill;
+  EXPECT_NEAR(strafed(standstill, 20.0, -0.3, 0.02), -6.0, 0.1);
+  const OdometryIncrement u = standstill.settled({0.0, kStep, 0.0, 0.01, -0.3});
+  EXPECT_FALSE(standing(u));
+  EXPECT_EQ(u.yaw_rate, 0.01) << "as of any robot that moves";
+}
+
 TEST(Standstill, ARobotThatDrivesStaysAsItIs) {
   Standstill standstill;
   EXPECT_NEAR(turned(standstill, 10.0, 0.5, 0.001), 0.01, 1e-12);

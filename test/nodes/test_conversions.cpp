@@ -226,9 +226,10 @@ TEST(WithMotion, CarriesWhatWasReadAndNothingThatIsNotFinite) {
   nav_msgs::Odometry odometry;
   odometry.twist.twist.linear.z = kNan;
   odometry.twist.covariance[0] = kInfinity;
-  const nav_msgs::Odometry read = with_motion(odometry, OdometryIncrement{1.0, 0.1, -2.0, 0.5});
+  const nav_msgs::Odometry read = with_motion(odometry, OdometryIncrement{1.0, 0.1, -2.0, 0.5, 0.3});
   EXPECT_EQ(read.twist.twist.linear.x, -2.0);
   EXPECT_EQ(read.twist.twist.angular.z, 0.5);
+  EXPECT_EQ(read.twist.twist.linear.y, 0.3);
   EXPECT_EQ(read.twist.twist.linear.z, 0.0);
   EXPECT_EQ(read.twist.covariance[0], 0.0);
 }

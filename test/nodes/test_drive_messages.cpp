@@ -62,6 +62,14 @@ TEST(DriveMessages, AreStampedByTheirOwnTimesOnTheGivenClock) {
   EXPECT_EQ(epoch.pseudoranges.size(), open_sky().size());
 }
 
+TEST(DriveMessages, TellMotionSideways) {
+  Drive drive = small_drive();
+  drive.odometry[1].lateral_speed = -0.4;
+  DriveMessages messages = later_by(0.0);
+  const std::vector<TopicMessage> all = all_of(drive, messages);
+  EXPECT_EQ(std::get<nav_msgs::Odometry>(all[1].message).twist.twist.linear.y, -0.4);
+}
+
 TEST(DriveMessages, SumUpTheOdometryUntilItRestarts) {
   const Drive drive = small_drive();
   DriveMessages messages = later_by(0.0);

@@ -48,6 +48,40 @@ TEST(OdometryReader, TakesPoseDifferencesWhereTheTwistIsEmpty) {
   }
 }
 
+TEST(OdometryReader, ReadsMotionSidewaysFromTwistAndPoseUnlessToldNotTo) {
+  const OdometryIncrement driven{10.1, 0.1, 0.4, 0.7, -0.6};
+  const Pose2 from{4.0, 5.0, 3.0};
+  for (const bool twist : {true, false}) {
+    for (const bool lateral : {true, false}) {
+      OdometryParameters parameters;
+      parameters.lateral = lateral;
+      OdometryReader odometry(parameters, "map");
+      nav_msgs::Odometry first = message(10.0, twist ? 0.4 : 0.0, twist ? 0.7 : 0.0, from);
+      nav_msgs::Odometry second =
+          message(10.1, twist ? 0.4 : 0.0, twist ? 0.7 : 0.0, from * displacement(driven));
+      first.twist.twist.linear.y = second.twist.twist.linear.y = twist ? -0.6 : 0.0;
+      odometry.read(first);
+      const OdometryIncrement read = odometry.read(second).increment;
+      EXPECT_NEAR(read.speed, 0.4, 1e-6);
+      EXPECT_NEAR(read.yaw_rate, 0.7, 1e-6);
+      EXPECT_NEAR(read.lateral_speed, lateral ? -0.6 : 0.0, 1e-6);
+    }
+  }
+}
+
+TEST(OdometryReader, AnIntegrationByTheYawAtOneEndIsNoMotionSideways) {
+  for (const double share : {0.0, 0.5, 1.0}) {  // of the turn, by which the driver's chord is turned
+    OdometryReader odometry = reader();
+    odometry.read(message(10.0, 0.0, 0.0, {4.0, 5.0, 3.0}));
+    const double turn = 0.06;
+    const Pose2 moved{0.1 * std::cos(share * turn), 0.1 * std::sin(share * turn), turn};
+    const OdometryIncrement read =
+        odometry.read(message(10.1, 0.0, 0.0, Pose2{4.0, 5.0, 3.0} * moved)).increment;
+    EXPECT_EQ(read.lateral_speed, 0.0) << share;
+    EXPECT_NEAR(read.speed, 1.0, 1e-3);
+  }
+}
+
 TEST(OdometryReader, StandsStillWhereNeitherTwistNorPoseMoves) {
   OdometryReader odometry = reader();
   odometry.read(message(10.0, 0.0, 0.0, {1.0, 1.0, 1.0}));
@@ -123,6 +157,9 @@ TEST(OdometryReader, RefusesSpeedsNoRobotReaches) {
   EXPECT_EQ(reader().read(message(10.0, 1e308)).reason, Reason::kTooFast);
   EXPECT_EQ(reader().read(message(10.0, -51.0)).reason, Reason::kTooFast);
   EXPECT_EQ(reader().read(message(10.0, 0.0, 21.0)).reason, Reason::kTooFast);
+  nav_msgs::Odometry sideways = message(10.0);
+  sideways.twist.twist.linear.y = -51.0;
+  EXPECT_EQ(reader().read(sideways).reason, Reason::kTooFast);
 }
 
 TEST(OdometryReader, SurvivesAPoseThatWasSetBack) {

@@ -37,6 +37,25 @@ TEST(Odometer, MeasuresTheMotionAtItsRate) {
   }
 }
 
+TEST(Odometer, MeasuresTheWaySideways) {
+  RobotParameters robot_parameters;
+  robot_parameters.drive = "omnidirectional";
+  robot_parameters.max_acceleration = 1e6;
+  robot_parameters.strafes = {{0.0, 10.0, -0.5}};
+  Robot robot(robot_parameters, 1);
+  OdometerParameters parameters;
+  parameters.rate = 20.0;
+  parameters.speed_scale_error = 0.1;
+  parameters.speed_noise = 0.01;
+  Odometer odometer(parameters, 1);
+  double way = 0.0;
+  for (int i = 1; i <= 500; ++i) {
+    robot.step({}, 0.01);
+    if (const auto u = odometer.step(robot, 0.01 * i, 0.01)) way += u->lateral_speed * u->duration;
+  }
+  EXPECT_NEAR(way, -1.1 * 2.5, 0.02);
+}
+
 TEST(Odometer, FasterThanTheSimulationReportsEveryStep) {
   OdometerParameters parameters;
   parameters.rate = 300.0;

@@ -44,6 +44,16 @@ TEST(OdometryFaults, ADeadEncoderHalvesTheSpeedAndTurnsTheRobot) {
   EXPECT_EQ(both.yaw_rate, 0.0);
 }
 
+TEST(OdometryFaults, SpoilTheWaySidewaysAsTheWayAhead) {
+  OdometryFaultParameters parameters;
+  parameters.slips = {{0.0, 2.0, 0.5}};
+  OdometryIncrement u = increment(1.0);
+  u.lateral_speed = -1.0;
+  EXPECT_EQ(OdometryFaults(parameters, 1, kStart).distorted(u).lateral_speed, -1.5);
+  EXPECT_EQ(with_dead("left").distorted(u).lateral_speed, -0.5);
+  EXPECT_EQ(with_dead("both").distorted(u).lateral_speed, 0.0);
+}
+
 TEST(OdometryFaults, WhatIsLostIsBridgedByTheNext) {
   OdometryFaultParameters parameters;
   parameters.losses.emplace_back();

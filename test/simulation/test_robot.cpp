@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/simulation/robot.hpp"
 
 namespace multipath_localization {
@@ -24,6 +25,31 @@ TEST(Robot, DrivesTheCircleOfItsSteeringAngle) {  // Eqs. (3) and (4) of [NIS]
   for (int i = 0; i < steps / 2; ++i) robot.step(u, 2.0 * kPi / steps);
   EXPECT_NEAR((robot.pose().position() - Eigen::Vector2d(0.0, 4.0)).norm(), 0.0, 1e-9);
   EXPECT_NEAR(robot.yaw_rate(), 1.0, 1e-12);
+}
+
+TEST(Robot, StrafesBesideWhatItIsCommandedWhereItCan) {
+  RobotParameters parameters = agile();
+  parameters.strafes = {{1.0, 2.0, 0.5}};
+  parameters.drive = "omnidirectional";
+  Robot robot(parameters, 1);
+  for (int i = 0; i < 400; ++i) robot.step({1.0, 0.0}, 0.01);
+  EXPECT_NEAR(robot.pose().x, 4.0, 1e-6);
+  EXPECT_NEAR(robot.pose().y, 1.0, 0.01);
+  EXPECT_EQ(robot.lateral_speed(), 0.0);
+  parameters.drive = "differential";
+  Robot wheeled(parameters, 1);
+  for (int i = 0; i < 400; ++i) wheeled.step({1.0, 0.0}, 0.01);
+  EXPECT_EQ(wheeled.pose().y, 0.0);
+}
+
+TEST(Robot, StrafesOnTheArcItTurnsBy) {
+  RobotParameters parameters = agile();
+  parameters.strafes = {{0.0, 10.0, 0.5}};
+  parameters.drive = "omnidirectional";
+  Robot robot(parameters, 1);
+  for (int i = 0; i < 100; ++i) robot.step(motion_command(1.0, 0.3, parameters.wheelbase), 0.01);
+  const Pose2 expected = displacement({1.0, 1.0, 1.0, 0.3, 0.5});
+  EXPECT_NEAR((robot.pose().position() - expected.position()).norm(), 0.0, 1e-6);
 }
 
 TEST(Robot, KeepsWithinItsLimits) {

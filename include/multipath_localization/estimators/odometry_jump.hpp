@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 
 #include "multipath_localization/core/measurements.hpp"
@@ -32,9 +33,9 @@ class OdometryJump {
 
  private:
   struct Window {
-    double duration = 0.0;  ///< [s]
-    double distance = 0.0;  ///< signed [m]
-    double turn = 0.0;      ///< [rad]
+    double duration = 0.0;                          ///< [s]
+    double turn = 0.0;                              ///< [rad]
+    Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< forwards and to the left [m]
   };
 
   [[nodiscard]] bool jumped(const Window& before, const Window& between, const Window& after) const;

@@ -42,6 +42,7 @@ struct SlottedEpoch {
   double information = 0.0;     ///< seconds of independent data it adds: less than `duration` at rest
   double bias_variance = 16.0;  ///< of a satellite's bias in line of sight, before all data [m^2]
   double speed = 0.0;           ///< of the odometry now [m/s]
+  double lateral_speed = 0.0;   ///< likewise [m/s]
   double yaw_rate = 0.0;        ///< likewise [rad/s]
 };
 

@@ -10,13 +10,6 @@
 
 namespace multipath_localization {
 
-/// What wheel odometry read at one instant.
-struct TwistSample {
-  double stamp = 0.0;     ///< [s]
-  double speed = 0.0;     ///< along x of the base [m/s]
-  double yaw_rate = 0.0;  ///< counter-clockwise [rad/s]
-};
-
 /// A measurement and when it came in.
 struct RecordedMeasurement {
   Measurement measurement;
@@ -47,12 +40,6 @@ struct Drive {
   [[nodiscard]] std::vector<GnssFix> fixes() const;
 };
 
-/// The motion between consecutive samples (stamps increasing): the mean of the two twists over the interval
-/// between them; the first sample stands for one millisecond, as in the localization node. On the 5 Hz
-/// odometry of the Potsdamer Platz drive, dead reckoning with its two constants corrected is 1.19 m off that
-/// way (RMSE after alignment), 1.29 m with the earlier twist, 1.38 m with the later.
-std::vector<OdometryIncrement> increments(const std::vector<TwistSample>& samples);
-
 /// Truth at `stamp`, linear between its neighbours, with the shadow flag of the earlier one. Nothing outside
 /// the truth's span.
 std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, double stamp);
@@ -60,10 +47,11 @@ std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, doubl
 /// Where an antenna truly was, or the base itself where truth has no heading [m].
 Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& antenna_in_base);
 
-/// Reads `odometry.csv` (t, vx, wz), `truth.csv` (t, lat_deg, lon_deg; optional alt_m, yaw, shadow) and
-/// `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional alt_m, t_arrival) or
+/// Reads `odometry.csv` (t, vx, wz; optional vy), `truth.csv` (t, lat_deg, lon_deg; optional alt_m, yaw,
+/// shadow) and `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional alt_m, t_arrival) or
 /// `pseudoranges.csv` (PseudorangeFile) or both of a directory; other columns are left alone. Times are
-/// seconds up to kLatestTime, wheels turn at up to 1e3 m/s and rad/s. The map's datum is the first fix,
+/// seconds up to kLatestTime, wheels turn at up to 1e3 m/s and rad/s; the motion between two rows is
+/// `motion_between` them, and the first row stands for kFirstInterval. The map's datum is the first fix,
 /// without fixes the solution of the first epoch: truth decides nothing but the score, and without
 /// `truth.csv` there is none. Without `odometry.csv` the motion is that by the Doppler shifts of
 /// `pseudoranges.csv` (doppler_odometry.hpp). The drive's notices say so.

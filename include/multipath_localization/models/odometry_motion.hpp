@@ -7,15 +7,15 @@
 
 namespace multipath_localization {
 
-/// Wheels that turn no faster do not roll [m/s].
+/// A base that moves no faster, in whatever direction, stands [m/s].
 inline constexpr double kStandstillSpeed = 0.01;
 
-/// True when the wheels stand and there is no yaw rate at all: then nothing moves, turns or diffuses. What a
+/// True when the base stands and there is no yaw rate at all: then nothing moves, turns or diffuses. What a
 /// gyro says of a parked robot is for Standstill to judge.
 bool standing(const OdometryIncrement& u);
 
-/// The slowly varying errors of an odometer: true speed = measured / (1 + speed_scale), true yaw rate =
-/// measured - gyro_bias.
+/// The slowly varying errors of an odometer: true speed, forwards and sideways, = measured /
+/// (1 + speed_scale), true yaw rate = measured - gyro_bias.
 struct OdometerErrors {
   double speed_scale = 0.0;  ///< [1]
   double gyro_bias = 0.0;    ///< [rad/s]

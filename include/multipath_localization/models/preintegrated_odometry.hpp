@@ -22,9 +22,9 @@ struct OdometryNoise {
 /// Odometry summed up between two fixes, once for all hypotheses.
 ///
 /// All quantities are in the base frame at the start of the sum and linearised at the odometry constants
-/// given to `restart`: the speed measured is (1 + scale) times the true one, the yaw rate measured is
-/// gyro_bias too high. Nothing but time passes while the wheels stand still, so that a parked robot neither
-/// diffuses nor turns.
+/// given to `restart`: the speed measured, forwards and sideways, is (1 + scale) times the true one, the yaw
+/// rate measured is gyro_bias too high. Nothing but time passes while the wheels stand still, so that a
+/// parked robot neither diffuses nor turns.
 class PreintegratedOdometry {
  public:
   explicit PreintegratedOdometry(const OdometryNoise& noise) : noise_(noise) {}

@@ -15,8 +15,8 @@ struct AlignedHeading {
 };
 
 /// Heading without a compass: turns dead reckoning of the last metres rigidly on to the fixes (Procrustes in
-/// the plane). Works in reverse, since dead reckoning carries the sign of the speed; says nothing when the
-/// robot has not moved far or the two shapes differ.
+/// the plane). Works in reverse and sideways, since dead reckoning carries the direction of the speed; says
+/// nothing when the robot has not moved far or the two shapes differ.
 class RigidAlignment {
  public:
   /// `length`: distance looked back [m]. `fix_sigma`: noise of a fix at least [m]. `floor`: variance that a

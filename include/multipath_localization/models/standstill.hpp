@@ -6,14 +6,17 @@
 
 namespace multipath_localization {
 
-/// Tells bias and noise of the gyro from a turn on the spot, while the wheels stand.
+/// Tells bias and noise of the gyro from a turn on the spot, and noise of the lateral speed from a way
+/// sideways, while the base does not roll forwards or backwards.
 class Standstill {
  public:
-  /// The increment, its yaw rate zero where the robot does not turn: then `standing` holds.
+  /// The increment, yaw rate and lateral speed zero where the robot neither turns nor moves sideways: then
+  /// `standing` holds.
   OdometryIncrement settled(const OdometryIncrement& u);
 
  private:
-  double yaw_rate_ = 0.0;  ///< mean of the last moment [rad/s]
+  double yaw_rate_ = 0.0;       ///< mean of the last moment [rad/s]
+  double lateral_speed_ = 0.0;  ///< likewise [m/s]
 };
 
 /// A whole drive of increments, in order, each settled.

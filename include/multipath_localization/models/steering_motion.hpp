@@ -35,7 +35,8 @@ double steering_angle(const OdometryIncrement& u, double wheelbase);
 /// Departs: [NIS] draws once per period Delta. Here the deviations of speed and yaw rate are scaled by
 /// sqrt(Delta / duration), so that a metre costs the same noise at every odometry rate; at duration = Delta
 /// it is the printed law. An arc of more than a full circle within one increment, which noise as printed can
-/// draw, ends where the full circle does.
+/// draw, ends where the full circle does. A base that moves sideways as well has v of Eqs. (5)-(7) over
+/// ground, and its lateral speed noise of its own by alpha1.
 class SteeringMotion {
  public:
   SteeringMotion(const OdometryIncrement& u, const SteeringNoiseParameters& parameters);
@@ -46,16 +47,18 @@ class SteeringMotion {
 
   /// What one increment means to all particles.
   struct Law {
-    double speed = 0.0;               ///< u [m/s]
-    double yaw_rate = 0.0;            ///< u [rad/s]
-    double duration = 0.0;            ///< [s]
-    double steering_angle = 0.0;      ///< [rad]
-    double max_steering_angle = 0.0;  ///< [rad]
-    double wheelbase = 1.0;           ///< l [m]
-    double sigma_speed = 0.0;         ///< root of Eq. (5)'s variance [m/s]
-    double sigma_steering = 0.0;      ///< root of Eq. (6)'s [rad]
-    double sigma_yaw_rate = 0.0;      ///< root of Eq. (7)'s [rad/s]
-    double deviation_scale = 0.0;     ///< sqrt(Delta / duration)
+    double speed = 0.0;                ///< u [m/s]
+    double lateral_speed = 0.0;        ///< of an omnidirectional base [m/s]
+    double yaw_rate = 0.0;             ///< u [rad/s]
+    double duration = 0.0;             ///< [s]
+    double steering_angle = 0.0;       ///< [rad]
+    double max_steering_angle = 0.0;   ///< [rad]
+    double wheelbase = 1.0;            ///< l [m]
+    double sigma_speed = 0.0;          ///< root of Eq. (5)'s variance [m/s]
+    double sigma_lateral_speed = 0.0;  ///< likewise, of the lateral speed alone [m/s]
+    double sigma_steering = 0.0;       ///< root of Eq. (6)'s [rad]
+    double sigma_yaw_rate = 0.0;       ///< root of Eq. (7)'s [rad/s]
+    double deviation_scale = 0.0;      ///< sqrt(Delta / duration)
   };
 
  private:

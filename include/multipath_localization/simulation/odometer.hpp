@@ -38,7 +38,7 @@ struct OdometerParameters {
   void fields(ParameterVisitor& field);
 };
 
-/// Wheel odometry with a gyro: mean speed and yaw rate over each of its periods, spoilt as real ones are.
+/// Wheel odometry with a gyro: mean velocity and yaw rate over each of its periods, spoilt as real ones are.
 class Odometer {
  public:
   Odometer(const OdometerParameters& parameters, std::uint64_t seed);
@@ -60,6 +60,7 @@ class Odometer {
   double scale_ = 1.0;
   double gyro_bias_ = 0.0;
   double distance_ = 0.0;  ///< wheel path since the last increment [m]
+  double sideways_ = 0.0;  ///< wheel path to the left since the last increment [m]
   double turn_ = 0.0;      ///< since the last increment [rad]
   double elapsed_ = 0.0;   ///< since the last increment [s]
   std::int64_t emitted_ = 0;

@@ -11,6 +11,15 @@
 
 namespace multipath_localization {
 
+/// A while in which an omnidirectional robot moves sideways, beside what it is commanded.
+struct StrafeParameters {
+  double start = 0.0;
+  double duration = 10.0;
+  double speed = 0.5;
+
+  void fields(ParameterVisitor& field);
+};
+
 struct RobotParameters {
   std::string drive = "steering";
   double wheelbase = 1.0;
@@ -25,13 +34,15 @@ struct RobotParameters {
   double noise_scale = 0.0;
   double wheel_separation = 0.35;
   double wheel_noise = 0.0;
+  std::vector<StrafeParameters> strafes;
 
   void fields(ParameterVisitor& field);
 };
 
 /// A robot whose true motion strays from its command: one with front-wheel steering, Eqs. (3)-(8) of [NIS],
 /// or one with two driven wheels, section 4 of [KAM], which turns as that with the same command would. The
-/// reference point is the centre of the rear or driven axle, whose wheels do not slip sideways.
+/// reference point is the centre of the rear or driven axle, whose wheels do not slip sideways. An
+/// omnidirectional one drives as the latter and strafes beside.
 class Robot {
  public:
   /// Throws ParameterError unless there are six noise constants.
@@ -44,6 +55,10 @@ class Robot {
   [[nodiscard]] const Pose2& pose() const { return pose_; }    ///< base in map
   [[nodiscard]] double speed() const { return speed_; }        ///< true, over the last step [m/s]
   [[nodiscard]] double yaw_rate() const { return yaw_rate_; }  ///< true, over the last step [rad/s]
+  /// True, to the left, over the last step [m/s].
+  [[nodiscard]] double lateral_speed() const { return lateral_speed_; }
+  /// What it strafes by, before noise [m/s].
+  [[nodiscard]] double strafing() const { return strafing_; }
   /// The command within the limits of speed, acceleration and steering, before noise.
   [[nodiscard]] const MotionCommand& command() const { return command_; }
   [[nodiscard]] const RobotParameters& parameters() const { return parameters_; }
@@ -52,6 +67,7 @@ class Robot {
   void limit(const MotionCommand& command, double duration);
   void steer(RandomStream& random, double duration);
   void roll(RandomStream& random, double duration);
+  void strafe(RandomStream& random, double duration);
 
   RobotParameters parameters_;
   std::uint64_t seed_;
@@ -60,6 +76,9 @@ class Robot {
   MotionCommand command_;
   double speed_ = 0.0;
   double yaw_rate_ = 0.0;
+  double strafing_ = 0.0;
+  double lateral_speed_ = 0.0;
+  double time_ = 0.0;
 };
 
 }  // namespace multipath_localization

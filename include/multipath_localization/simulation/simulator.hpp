@@ -60,9 +60,10 @@ class Simulator {
 
   [[nodiscard]] double time() const { return static_cast<double>(steps_) * parameters_.time_step; }  ///< [s]
   [[nodiscard]] double time_step() const { return parameters_.time_step; }                           ///< [s]
-  [[nodiscard]] const Pose2& truth() const { return robot_.pose(); }   ///< base in map
-  [[nodiscard]] double speed() const { return robot_.speed(); }        ///< true [m/s]
-  [[nodiscard]] double yaw_rate() const { return robot_.yaw_rate(); }  ///< true [rad/s]
+  [[nodiscard]] const Pose2& truth() const { return robot_.pose(); }             ///< base in map
+  [[nodiscard]] double speed() const { return robot_.speed(); }                  ///< true [m/s]
+  [[nodiscard]] double yaw_rate() const { return robot_.yaw_rate(); }            ///< true [rad/s]
+  [[nodiscard]] double lateral_speed() const { return robot_.lateral_speed(); }  ///< true, to the left [m/s]
   /// Of a fix taken now, map [m]; by satellites: the error of the last fix.
   [[nodiscard]] const Eigen::Vector2d& bias() const { return reception_.bias; }
   /// The antenna is in a zone; by satellites: those in line of sight are not the majority of those received.

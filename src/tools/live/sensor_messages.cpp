@@ -18,6 +18,7 @@ nav_msgs::Odometry SensorMessages::odometry(const OdometryIncrement& u, const ro
   message.child_frame_id = "base_link";
   message.pose.pose = to_message(base_in_odom_);
   message.twist.twist.linear.x = u.speed;
+  message.twist.twist.linear.y = u.lateral_speed;
   message.twist.twist.angular.z = u.yaw_rate;
   return message;
 }

@@ -58,7 +58,7 @@ FixSequence::FixSequence(const std::vector<OdometryIncrement>& odometry, const s
       const double duration = std::min(end - now, odometry[next].duration);
       sum.add(odometry[next], duration);
       if (!standing(odometry[next])) {
-        way_ += std::abs(odometry[next].speed) * duration;
+        way_ += ground_speed(odometry[next]) * duration;
         moving_time_ += duration;
       }
       now = end;
