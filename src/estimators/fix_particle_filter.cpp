@@ -61,9 +61,7 @@ void FixParticleFilter::start_at(const PosePrior& prior) {
       axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     RandomStream draw(seed_, step_, static_cast<std::uint32_t>(i));
-    Eigen::Vector3d d;
-    for (double& component : d.reshaped()) component = draw.normal();
-    d = root * d;
+    const Eigen::Vector3d d = root * normals<3>(draw);
     particles_.set_pose(i, {prior.pose.x + d.x(), prior.pose.y + d.y(), wrap_angle(prior.pose.yaw + d.z())});
   }
   cluster_reach_ = std::max(kLeastClusterReach, kClusterSigmas * root.topRows<2>().norm());

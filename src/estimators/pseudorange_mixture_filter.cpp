@@ -228,9 +228,7 @@ std::vector<Hypothesis> PseudorangeMixtureFilter::hypotheses() const {
     const Belief belief = current(particles[ancestors[i]].belief);
     const Eigen::Matrix3d root = belief.covariance.topLeftCorner<3, 3>().llt().matrixL();
     RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
-    Eigen::Vector3d d;
-    for (double& component : d.reshaped()) component = random.normal();
-    d = root * d;
+    const Eigen::Vector3d d = root * normals<3>(random);
     const Pose2 pose{belief.mean(kX) + d.x(), belief.mean(kY) + d.y(), wrap_angle(belief.mean(kYaw) + d.z())};
     cloud.push_back({pose, 1.0 / static_cast<double>(kCloud),
                      particles[ancestors[i]].mode.shadow ? Mode::kShadow : Mode::kOpen});

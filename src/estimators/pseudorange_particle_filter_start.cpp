@@ -20,12 +20,6 @@ Eigen::Matrix<double, N, N> root_of(const Eigen::Matrix<double, N, N>& covarianc
   return axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
-Eigen::Vector3d normals(RandomStream& random) {
-  Eigen::Vector3d d;
-  for (double& component : d.reshaped()) component = random.normal();
-  return d;
-}
-
 }  // namespace
 
 void PseudorangeParticleFilter::start(const std::optional<PosePrior>& prior) {
@@ -57,7 +51,7 @@ void PseudorangeParticleFilter::start_at(const PosePrior& prior) {
   const Eigen::Matrix3d root = root_of<3>(prior.covariance);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     RandomStream draw = random(i);
-    const Eigen::Vector3d d = root * normals(draw);
+    const Eigen::Vector3d d = root * normals<3>(draw);
     particles_.set_pose(i, {prior.pose.x + d.x(), prior.pose.y + d.y(), wrap_angle(prior.pose.yaw + d.z())});
     rest_[i].course_variance = prior.covariance(2, 2);
   }
@@ -111,7 +105,7 @@ void PseudorangeParticleFilter::draw_near(std::size_t i, const Sky& sky, const P
                                           RandomStream& random) {
   const Eigen::Matrix3d covariance =
       fix.covariance + square(parameters_.start_sigma) * Eigen::Matrix3d::Identity();
-  const Eigen::Vector3d antenna = fix.position + covariance.llt().matrixL() * normals(random);
+  const Eigen::Vector3d antenna = fix.position + covariance.llt().matrixL() * normals<3>(random);
   const Eigen::Vector2d base = antenna.head<2>() - rotation(particles_.yaw[i]) * sky.antenna_in_base;
   particles_.x[i] = base.x();
   particles_.y[i] = base.y();

@@ -23,9 +23,7 @@ DualReceiver::DualReceiver(const DualReceiverParameters& parameters,
 
 DualAntennaFix DualReceiver::measure(const Pose2& base_in_map, const BiasAt& bias_at, double time) const {
   RandomStream random(seed_, steps_, kDualReceiverStream);
-  Eigen::Vector3d normals;
-  for (double& normal : normals) normal = random.normal();
-  const Eigen::Vector3d error = error_.mean + error_.root * normals;
+  const Eigen::Vector3d error = error_.mean + error_.root * normals<3>(random);
   const Pose2 told{base_in_map.x + error.x(), base_in_map.y + error.y(), base_in_map.yaw + error.z()};
   const double half = 0.5 * parameters_.baseline;
   const double stretched = half + 0.5 * parameters_.baseline_sigma * random.normal();

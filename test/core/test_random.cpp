@@ -48,6 +48,14 @@ TEST(RandomStream, IsAPureFunctionOfSeedStepAndParticle) {
   }
 }
 
+TEST(RandomStream, NormalsAreTheNextOnesInTheirOrder) {
+  RandomStream one_by_one(7, 3, 11);
+  RandomStream at_once(7, 3, 11);
+  const Eigen::Vector3d z = normals<3>(at_once);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(z(i), one_by_one.normal());
+  EXPECT_EQ(at_once.normal(), one_by_one.normal());
+}
+
 TEST(RandomStream, EveryPartOfItsNameMatters) {
   const std::uint32_t word = RandomStream(1, 2, 3).word();
   EXPECT_NE(RandomStream(2, 2, 3).word(), word);

@@ -20,9 +20,9 @@ PseudorangeBelief random_belief(std::uint64_t seed) {
   for (int i = 0; i < 3; ++i) belief.append(1.0);
   RandomStream random(seed, 0, 0);
   const Eigen::Index n = belief.mean.size();
-  Eigen::MatrixXd A(n, n);
-  for (double& a : A.reshaped()) a = random.normal();
-  for (double& x : belief.mean.reshaped()) x = random.normal();
+  const auto normal = [&random] { return random.normal(); };
+  const Eigen::MatrixXd A = Eigen::MatrixXd::NullaryExpr(n, n, normal);
+  belief.mean = Eigen::VectorXd::NullaryExpr(n, normal);
   belief.covariance = A * A.transpose() + Eigen::MatrixXd::Identity(n, n);
   return belief;
 }

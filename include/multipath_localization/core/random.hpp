@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 
@@ -31,6 +32,14 @@ class RandomStream {
   double spare_ = 0.0;
   std::array<std::uint32_t, 4> words_{};
 };
+
+/// N independent standard normals, the next that the stream gives.
+template <int N>
+Eigen::Matrix<double, N, 1> normals(RandomStream& random) {
+  Eigen::Matrix<double, N, 1> z;
+  for (int i = 0; i < N; ++i) z(i) = random.normal();
+  return z;
+}
 
 /// The Threefry4x32 bijection: four words of output per counter and key. Instantiated for 12 rounds and for
 /// the 20 that published vectors are for.

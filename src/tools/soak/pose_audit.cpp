@@ -16,8 +16,10 @@ constexpr double kPatienceInSilence = 0.005;  ///< [s]
 using Covariance = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
 Eigen::Matrix3d of_pose(const Covariance& covariance) {
-  const std::array<int, 3> rows = {0, 1, 5};
-  return covariance(rows, rows);
+  Eigen::Matrix3d block;
+  block << covariance.topLeftCorner<2, 2>(), covariance.block<2, 1>(0, 5), covariance.block<1, 2>(5, 0),
+      covariance(5, 5);
+  return block;
 }
 
 bool finite(const nav_msgs::Odometry& message) {
