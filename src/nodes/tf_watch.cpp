@@ -53,8 +53,14 @@ void TfWatch::on_transforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& 
       broadcasters_[child] = {broadcaster, ros::WallTime::now(), is_static};
     }
     if (is_static) static_transforms_[child] = transform;
-    buffer_.setTransform(transform, broadcaster, is_static);
+    add(transform, broadcaster, is_static);
   }
+}
+
+void TfWatch::add(const geometry_msgs::TransformStamped& transform, const std::string& broadcaster,
+                  bool is_static) {
+  if (!buffer_.setTransform(transform, broadcaster, is_static)) return;
+  parents_[without_slash(transform.child_frame_id)] = without_slash(transform.header.frame_id);
 }
 
 std::string TfWatch::broadcaster_of(const std::string& child) const {
@@ -88,10 +94,10 @@ std::string TfWatch::described(const std::string& frame) const {
 
 std::vector<std::string> TfWatch::with_ancestors(const std::string& frame) const {
   std::vector<std::string> line = {frame};
-  std::string parent;
-  while (line.size() < tf2::BufferCore::MAX_GRAPH_DEPTH &&
-         buffer_._getParent(line.back(), ros::Time(), parent)) {
-    line.push_back(parent);
+  auto next = parents_.find(frame);
+  while (next != parents_.end() && line.size() < tf2::BufferCore::MAX_GRAPH_DEPTH) {
+    line.push_back(next->second);
+    next = parents_.find(line.back());
   }
   return line;
 }
@@ -114,7 +120,8 @@ bool TfWatch::rides_on_robot(const std::string& frame) const {
 
 void TfWatch::clear() {
   buffer_.clear();
-  for (const auto& [child, transform] : static_transforms_) buffer_.setTransform(transform, "static", true);
+  parents_.clear();
+  for (const auto& [child, transform] : static_transforms_) add(transform, "static", true);
 }
 
 }  // namespace multipath_localization

@@ -48,10 +48,12 @@ class TfWatch {
   /// base that is not static: it moves the robot.
   [[nodiscard]] bool rides_on_robot(const std::string& frame) const;
   void on_transforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event, bool is_static);
+  void add(const geometry_msgs::TransformStamped& transform, const std::string& broadcaster, bool is_static);
 
   FrameParameters frames_;
   tf2::BufferCore buffer_;
   std::map<std::string, geometry_msgs::TransformStamped> static_transforms_;  ///< by child frame
+  std::map<std::string, std::string> parents_;  ///< by child frame, of the transforms that the buffer took
   std::map<std::string, Eigen::Vector2d> found_;
   std::map<std::string, Broadcaster> broadcasters_;  ///< by child frame: odom_frame and base_link_frame
   ros::Subscriber tf_;
