@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <set>
-#include <sstream>
 
+#include "multipath_localization/core/plain_numbers.hpp"
 #include "multipath_localization/core/plain_yaml.hpp"
 
 namespace multipath_localization {
@@ -31,12 +30,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 std::string text(double value) {
   if (std::isnan(value)) return ".nan";
   if (std::isinf(value)) return value > 0.0 ? ".inf" : "-.inf";
-  std::ostringstream out;
+  PlainStream out;
   for (int digits = 6; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
     out.str("");
     out.precision(digits);
     out << value;
-    if (std::strtod(out.str().c_str(), nullptr) == value) break;
+    if (parse_number(out.str()) == value) break;
   }
   return out.str();
 }
@@ -141,7 +140,11 @@ class Loader : public ParameterVisitor {
   template <class T>
   T scalar(const YAML::Node& node, const std::string& key, const std::string& expected) const {
     try {
-      return node.as<T>();
+      if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>) {
+        return yaml_number<T>(node);
+      } else {
+        return node.as<T>();
+      }
     } catch (const YAML::Exception&) {
       throw ParameterError(name(key) + " is not " + expected);
     }
@@ -243,7 +246,7 @@ class Describer : public ParameterVisitor {
 
 YAML::Node read_yaml(const std::string& file) {
   try {
-    return plain(YAML::LoadFile(file));
+    return plain(parse_yaml_file(file));
   } catch (const std::exception& error) {
     throw ParameterError(file + ": " + error.what());
   }

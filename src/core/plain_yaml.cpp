@@ -1,6 +1,11 @@
 #include "multipath_localization/core/plain_yaml.hpp"
 
+#include <yaml-cpp/eventhandler.h>
+
 #include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -12,6 +17,8 @@ namespace {
 
 constexpr int kDeepest = 64;
 constexpr std::size_t kMost = 50000;
+
+[[noreturn]] void refuse_depth() { throw ParameterError("YAML is nested over 64 deep, or within itself"); }
 
 bool holds_others(const YAML::Node& node) { return node.IsMap() || node.IsSequence(); }
 
@@ -36,7 +43,7 @@ class Census {
 
  private:
   void add(const YAML::Node& node, int depth) {
-    if (depth > kDeepest) throw ParameterError("YAML is nested over 64 deep, or within itself");
+    if (depth > kDeepest) refuse_depth();
     if (++counted_ > kMost) throw ParameterError("YAML holds over 50000 values, those of aliases counted");
     if (holds_others(node)) to_do_.emplace_back(node, depth);
   }
@@ -76,11 +83,74 @@ class Copier {
   std::vector<std::pair<YAML::Node, YAML::Node>> to_do_;
 };
 
+/// Follows the parser down, which calls itself for each level, and stops it in time.
+class DepthWatch : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    descend();
+  }
+  void OnSequenceEnd() override { --depth_; }
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    descend();
+  }
+  void OnMapEnd() override { --depth_; }
+
+ private:
+  void descend() {
+    if (depth_++ == kDeepest) refuse_depth();
+  }
+
+  int depth_ = 0;
+};
+
 }  // namespace
 
 YAML::Node plain(const YAML::Node& source) {
   Census().take(source);
   return Copier().copy(source);
+}
+
+YAML::Node parse_yaml(const std::string& text) {
+  std::istringstream in(text);
+  DepthWatch watch;
+  YAML::Parser(in).HandleNextDocument(watch);
+  return YAML::Load(text);
+}
+
+YAML::Node parse_yaml_file(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw ParameterError("cannot be read");
+  return parse_yaml({std::istreambuf_iterator<char>(in), {}});
+}
+
+template <class Number>
+Number yaml_number(const YAML::Node& node) {
+  // What is named by letters, .inf and .nan, yaml-cpp compares by itself.
+  if (!node.IsScalar() || node.Scalar().find_first_of("nN") != std::string::npos) return node.as<Number>();
+  std::istringstream in(node.Scalar());
+  in.imbue(std::locale::classic());
+  in.unsetf(std::ios::dec);  // 0x10 is 16, as for yaml-cpp
+  Number value{};
+  if (!(in >> std::noskipws >> value) || !(in >> std::ws).eof()) {
+    throw YAML::TypedBadConversion<Number>(node.Mark());
+  }
+  return value;
+}
+
+template double yaml_number<double>(const YAML::Node& node);
+template int yaml_number<int>(const YAML::Node& node);
+
+std::vector<double> yaml_numbers(const YAML::Node& list) {
+  if (!list.IsSequence()) throw YAML::TypedBadConversion<std::vector<double>>(list.Mark());
+  std::vector<double> all;
+  for (const YAML::Node& item : list) all.push_back(yaml_number<double>(item));
+  return all;
 }
 
 }  // namespace multipath_localization

@@ -1,10 +1,9 @@
 #include "multipath_localization/evaluation/csv.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
-#include <sstream>
 
+#include "multipath_localization/core/plain_numbers.hpp"
 namespace multipath_localization {
 
 namespace {
@@ -57,15 +56,12 @@ const std::string& CsvTable::text(std::size_t row, const std::string& column) co
 
 double CsvTable::number(std::size_t row, const std::string& column, double largest) const {
   const std::string& cell = text(row, column);
-  char* end = nullptr;
-  const double value = std::strtod(cell.c_str(), &end);
-  if (cell.empty() || end != cell.data() + cell.size() || !std::isfinite(value)) {
+  const std::optional<double> value = parse_number(cell);
+  if (!value || !std::isfinite(*value)) {
     throw error(row, column + " is '" + cell + "', not a finite number");
   }
-  if (std::abs(value) <= largest) return value;
-  std::ostringstream reason;
-  reason << column << " is '" << cell << "', beyond " << largest;
-  throw error(row, reason.str());
+  if (std::abs(*value) <= largest) return *value;
+  throw error(row, plain_text(column, " is '", cell, "', beyond ", largest));
 }
 
 DriveError CsvTable::error(std::size_t row, const std::string& reason) const {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/plain_yaml.hpp"
 #include "multipath_localization/evaluation/layered_maps.hpp"
 
 namespace multipath_localization {
@@ -42,7 +43,7 @@ EstimatorVariant parse_variant(const std::string& text) {
 void refuse_what_is_no_map(const EstimatorVariant& variant) {
   try {
     if (variant.parameters.empty()) return;
-    const YAML::Node all = YAML::Load("[" + variant.parameters + "]");  // so that nothing follows unread
+    const YAML::Node all = parse_yaml("[" + variant.parameters + "]");  // so that nothing follows unread
     if (all.size() == 1 && all[0].IsMap()) return;
   } catch (const YAML::Exception&) {
   }
@@ -65,7 +66,7 @@ std::vector<EstimatorVariant> parse_variants(const std::string& list) {
 }
 
 YAML::Node over(const YAML::Node& parameters, const EstimatorVariant& variant) {
-  return laid_over(parameters, variant.parameters.empty() ? YAML::Node() : YAML::Load(variant.parameters));
+  return laid_over(parameters, variant.parameters.empty() ? YAML::Node() : parse_yaml(variant.parameters));
 }
 
 }  // namespace multipath_localization

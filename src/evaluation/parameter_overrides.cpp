@@ -24,7 +24,7 @@ std::vector<std::string> split_path(const std::string& key) {
 
 YAML::Node parse_value(const std::string& text) {
   try {
-    return plain(YAML::Load(text));
+    return plain(parse_yaml(text));
   } catch (const YAML::Exception& error) {
     throw ParameterError("'" + text + "' is not YAML: " + error.what());
   }

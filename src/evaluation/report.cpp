@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <sstream>
 
 #include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/core/plain_numbers.hpp"
 #include "multipath_localization/evaluation/json.hpp"
 
 namespace multipath_localization {
@@ -14,7 +14,7 @@ namespace multipath_localization {
 namespace {
 
 std::string number(double value, int digits) {
-  std::ostringstream out;
+  PlainStream out;
   out.precision(digits);
   out << (std::abs(value) < 1e6 ? std::fixed : std::scientific) << value;
   return out.str();
@@ -160,7 +160,7 @@ std::string side_by_side(const std::vector<TextColumn>& text, std::size_t names)
 }  // namespace
 
 std::string to_json(const std::vector<RunRecord>& runs) {
-  std::ostringstream out;
+  PlainStream out;
   out << "[";
   const char* separator = "\n";
   for (const RunRecord& run : runs) {

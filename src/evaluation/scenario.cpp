@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <set>
 
+#include "multipath_localization/core/plain_yaml.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -13,7 +15,7 @@ const std::set<std::string> kKeys = {"simulator",    "steering", "steered_on",
 
 double seconds(const YAML::Node& source, const std::string& path) {
   try {
-    const auto value = source.as<double>();
+    const auto value = yaml_number<double>(source);
     if (std::isfinite(value) && value > 0.0) return value;
   } catch (const YAML::Exception&) {
   }
@@ -56,7 +58,9 @@ MotionCommand command_at(const std::vector<SequenceLeg>& sequence, double time, 
 std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path) {
   std::vector<Eigen::Vector2d> points;
   try {
-    for (const auto& pair : source.as<std::vector<std::vector<double>>>()) {
+    if (!source.IsSequence()) throw YAML::BadConversion(source.Mark());
+    for (const YAML::Node& item : source) {
+      const std::vector<double> pair = yaml_numbers(item);
       if (pair.size() != 2 || !std::isfinite(pair[0]) || !std::isfinite(pair[1])) {
         throw ParameterError(path + " holds what is not a pair of finite numbers");
       }

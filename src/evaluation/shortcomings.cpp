@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
+
+#include "multipath_localization/core/plain_numbers.hpp"
 
 namespace multipath_localization {
 
@@ -61,7 +62,7 @@ void judge(const Contest& contest, std::vector<std::string>& sentences) {
   const Row& best = *std::min_element(contest.rows.begin(), contest.rows.end(),
                                       [](const Row& a, const Row& b) { return a.rmse() < b.rmse(); });
   const auto say = [&](const auto&... parts) {
-    std::ostringstream out;
+    PlainStream out;
     out.precision(2);
     out << std::fixed << contest.name << ": " << own.estimator << " ";
     (out << ... << parts);

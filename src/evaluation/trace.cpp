@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/core/plain_numbers.hpp"
 #include "multipath_localization/evaluation/json.hpp"
 
 namespace multipath_localization {
@@ -119,7 +119,7 @@ std::string to_trace(const std::string& title, const Stream& stream, const std::
   if (own) drive = &drawn.front()->drive;
   if (drive == nullptr) return "{}";
 
-  std::ostringstream out;
+  PlainStream out;
   out.precision(9);
   out << "{\"title\": " << quoted(title) << ", ";
   write_drive(out, *drive, drive->start());

@@ -1,11 +1,8 @@
 #include "multipath_localization/guidance/waypoint_file.hpp"
 
-#include <yaml-cpp/yaml.h>
-
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -15,6 +12,8 @@
 
 #include "multipath_localization/core/atomic_file.hpp"
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/plain_numbers.hpp"
+#include "multipath_localization/core/plain_yaml.hpp"
 
 namespace multipath_localization {
 
@@ -95,10 +94,9 @@ std::vector<std::string> cells_of(const std::string& line) {
 }
 
 double number(const std::string& cell, const Place& place) {
-  char* end = nullptr;
-  const double value = std::strtod(cell.c_str(), &end);
-  if (cell.empty() || end != cell.data() + cell.size()) throw place.error("'" + cell + "' is not a number");
-  return value;
+  const std::optional<double> value = parse_number(cell);
+  if (!value) throw place.error("'" + cell + "' is not a number");
+  return *value;
 }
 
 bool named_on_earth(const std::vector<std::string>& names, const Place& place) {
@@ -107,7 +105,9 @@ bool named_on_earth(const std::vector<std::string>& names, const Place& place) {
   throw place.error("the first line names the columns: x,y or latitude,longitude");
 }
 
-WaypointList read_csv(const std::string& file, std::istream& text) {
+WaypointList from_csv(const std::string& file) {
+  std::ifstream text(file);
+  if (!text) throw ParameterError(file + ": cannot be read");
   WaypointList list;
   bool named = false;
   Place place{file, 0};
@@ -144,13 +144,21 @@ void append(WaypointList& list, const YAML::Node& item, const Place& place) {
   if (list.on_earth != on_earth) throw place.error("a point of map among such on Earth, or the reverse");
   const YAML::Node first = names[0].empty() ? item[0] : item[names[0]];
   const YAML::Node second = names[1].empty() ? item[1] : item[names[1]];
-  append(list, {first.as<double>(), second.as<double>()}, place);
+  append(list, {yaml_number<double>(first), yaml_number<double>(second)}, place);
 }
 
-WaypointList read_yaml(const std::string& file, std::istream& text) {
+YAML::Node yaml_of(const std::string& file) {
+  try {
+    return parse_yaml_file(file);
+  } catch (const ParameterError& error) {
+    throw ParameterError(file + ": " + error.what());
+  }
+}
+
+WaypointList from_yaml(const std::string& file) {
   WaypointList list;
   try {
-    const YAML::Node content = YAML::Load(text);
+    const YAML::Node content = yaml_of(file);
     const bool known = content.IsMap() && content.size() == 1 && content["waypoints"];
     if (!known || !content["waypoints"].IsSequence()) {
       throw Place{file, 1}.error("the file holds a list named waypoints and nothing else");
@@ -211,16 +219,14 @@ std::optional<WaypointList> read_waypoints(const std::string& file) {
   if (unreadable) throw ParameterError(file + ": " + unreadable.message());
   if (size > kMostBytes)
     throw ParameterError(file + ": larger than " + std::to_string(kMostBytes) + " bytes");
-  std::ifstream text(file);
-  if (!text) throw ParameterError(file + ": cannot be read");
-  return format == Format::kCsv ? read_csv(file, text) : read_yaml(file, text);
+  return format == Format::kCsv ? from_csv(file) : from_yaml(file);
 }
 
 void write_waypoints(const std::string& file, const WaypointList& waypoints) {
   const bool csv = format_of(file) == Format::kCsv;
   const std::string first = waypoints.on_earth ? "latitude" : "x";
   const std::string second = waypoints.on_earth ? "longitude" : "y";
-  std::ostringstream content;
+  PlainStream content;
   content << std::fixed << std::setprecision(waypoints.on_earth ? 9 : 4);
   content << (csv ? first + "," + second : "waypoints:") << "\n";
   for (const Eigen::Vector2d& point : waypoints.points) {

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "multipath_localization/core/plain_numbers.hpp"
 #include "multipath_localization/guidance/route_continuation.hpp"
 
 namespace multipath_localization {
@@ -23,15 +22,9 @@ void require_finite(const std::vector<Eigen::Vector2d>& waypoints) {
   }
 }
 
-std::string to_a_tenth(double value) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << value;
-  return text.str();
-}
-
 std::string old_pose(double age) {
   if (!std::isfinite(age)) return "no pose yet";
-  return "pose is " + to_a_tenth(std::abs(age)) + (age > 0.0 ? " s old" : " s ahead");
+  return "pose is " + fixed_text(std::abs(age), 1) + (age > 0.0 ? " s old" : " s ahead");
 }
 
 double extent_of(const std::vector<Eigen::Vector2d>& waypoints) {
@@ -152,8 +145,9 @@ FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Tru
 
 FollowerOutput WaypointFollower::end() const {
   if (!parameters_.loop) return {{}, "finished"};
-  return {{},
-          "finished: loop needs a waypoint farther than " + to_a_tenth(loop_extent()) + " m from the first"};
+  return {
+      {},
+      "finished: loop needs a waypoint farther than " + fixed_text(loop_extent(), 1) + " m from the first"};
 }
 
 std::string WaypointFollower::reason_to_stop(const Pose2& pose, double pose_age, Trust state) const {

@@ -90,7 +90,7 @@ SavedPose parsed(const YAML::Node& content) {
     throw ParameterError("it does not hold what belongs there");
   SavedPose saved;
   saved.datum = place_of(content["datum"]);
-  saved.odometry.stamp = content["stamp"].as<double>();
+  saved.odometry.stamp = yaml_number<double>(content["stamp"]);
   saved.base_in_map = pose_of(content["base_in_map"]);
   saved.covariance = Eigen::Matrix3d(finite_numbers(content["covariance"], 9).data());
   saved.odometry.base_in_odom = pose_of(content["base_in_odom"]);

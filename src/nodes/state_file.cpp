@@ -6,7 +6,7 @@
 namespace multipath_localization {
 
 std::vector<double> finite_numbers(const YAML::Node& source, std::size_t count) {
-  auto values = source.as<std::vector<double>>();
+  std::vector<double> values = yaml_numbers(source);
   const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
   if (values.size() != count || !finite)
     throw ParameterError("a list is not of " + std::to_string(count) + " finite numbers");

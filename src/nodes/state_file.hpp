@@ -1,7 +1,5 @@
 #pragma once
 
-#include <yaml-cpp/yaml.h>
-
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -12,6 +10,7 @@
 
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/plain_yaml.hpp"
 
 namespace multipath_localization {
 
@@ -22,7 +21,7 @@ auto read_state(const std::string& file, Parse parse) -> std::optional<decltype(
   std::error_code unreadable;
   if (!std::filesystem::exists(file, unreadable) && !unreadable) return std::nullopt;
   try {
-    return parse(YAML::LoadFile(file));
+    return parse(parse_yaml_file(file));
   } catch (const std::exception& error) {
     throw ParameterError(file + " is damaged: " + error.what());
   }

@@ -4,12 +4,12 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
 
 #include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/core/plain_numbers.hpp"
 
 namespace multipath_localization {
 
@@ -24,36 +24,23 @@ constexpr std::string_view kFixColumns =
     "t,lat_deg,lon_deg,alt_m,cov_ee_m2,cov_en_m2,cov_nn_m2,cov_uu_m2,num_sat,clock_m,isb_glo_m,isb_gal_m,"
     "isb_bds_m,isb_qzs_m,wrss,dof\n";
 
-std::string number(double value, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
-}
-
 std::string known_number(double value, int digits) {
-  return std::isfinite(value) ? number(value, digits) : "";
-}
-
-/// Up to six significant digits; variances span many powers of ten.
-std::string short_number(double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
+  return std::isfinite(value) ? fixed_text(value, digits) : "";
 }
 
 void write_vector(std::ostream& out, const Eigen::Vector3d& vector, int digits) {
-  out << "," << number(vector.x(), digits) << "," << number(vector.y(), digits) << ","
-      << number(vector.z(), digits);
+  out << "," << fixed_text(vector.x(), digits) << "," << fixed_text(vector.y(), digits) << ","
+      << fixed_text(vector.z(), digits);
 }
 
 void write_satellite(std::ostream& out, double t, const TrackedSatellite& tracked,
                      const SatelliteObservation& seen) {
-  out << number(t, 7) << "," << seen.satellite << "," << to_string(seen.constellation) << ","
-      << number(seen.elevation * 180.0 / kPi, 4) << "," << known_number(seen.cn0, 3);
+  out << fixed_text(t, 7) << "," << seen.satellite << "," << to_string(seen.constellation) << ","
+      << fixed_text(seen.elevation * 180.0 / kPi, 4) << "," << known_number(seen.cn0, 3);
   write_vector(out, tracked.at_transmission.position, 4);
-  out << "," << number(seen.pseudorange, 4) << "," << number(seen.sigma, 3);
+  out << "," << fixed_text(seen.pseudorange, 4) << "," << fixed_text(seen.sigma, 3);
   if (seen.has_doppler()) {
-    out << "," << number(seen.range_rate, 5);
+    out << "," << fixed_text(seen.range_rate, 5);
     write_vector(out, tracked.at_transmission.velocity, 6);
   } else {
     out << ",,,,";
@@ -64,9 +51,9 @@ void write_satellite(std::ostream& out, double t, const TrackedSatellite& tracke
 void write_fix(std::ostream& out, double t, const PointFix& fix) {
   const PseudorangeSolution& solution = fix.solution;
   const Eigen::Matrix3d& P = solution.covariance;
-  out << number(t, 7) << "," << number(fix.antenna.latitude_deg, 9) << ","
-      << number(fix.antenna.longitude_deg, 9) << "," << number(fix.antenna.altitude, 4);
-  for (const double variance : {P(0, 0), P(0, 1), P(1, 1), P(2, 2)}) out << "," << short_number(variance);
+  out << fixed_text(t, 7) << "," << fixed_text(fix.antenna.latitude_deg, 9) << ","
+      << fixed_text(fix.antenna.longitude_deg, 9) << "," << fixed_text(fix.antenna.altitude, 4);
+  for (const double variance : {P(0, 0), P(0, 1), P(1, 1), P(2, 2)}) out << "," << plain_text(variance);
   const auto clock = [&](Constellation of) { return solution.clock.at(static_cast<std::size_t>(of)); };
   const double gps = clock(Constellation::kGps);
   out << "," << solution.used << "," << known_number(gps, 4);
@@ -74,18 +61,18 @@ void write_fix(std::ostream& out, double t, const PointFix& fix) {
        {Constellation::kGlonass, Constellation::kGalileo, Constellation::kBeidou, Constellation::kQzss}) {
     out << "," << known_number(clock(other) - gps, 4);
   }
-  out << "," << short_number(solution.weighted_square_sum) << "," << solution.degrees_of_freedom << "\n";
+  out << "," << plain_text(solution.weighted_square_sum) << "," << solution.degrees_of_freedom << "\n";
 }
 
 std::string description(const DriveSource& source) {
   YAML::Emitter yaml;
   yaml << YAML::BeginMap;
-  yaml << YAML::Key << "gps_week" << YAML::Value << source.start.week;
-  yaml << YAML::Key << "seconds_of_week" << YAML::Value << number(source.start.second, 7)
+  yaml << YAML::Key << "gps_week" << YAML::Value << std::to_string(source.start.week);
+  yaml << YAML::Key << "seconds_of_week" << YAML::Value << fixed_text(source.start.second, 7)
        << YAML::Comment("GPS time of t = 0");
   yaml << YAML::Key << "observations" << YAML::Value << source.observations;
   yaml << YAML::Key << "navigation" << YAML::Value << YAML::Flow << source.navigation;
-  yaml << YAML::Key << "elevation_mask_deg" << YAML::Value << source.elevation_mask_deg;
+  yaml << YAML::Key << "elevation_mask_deg" << YAML::Value << plain_text(source.elevation_mask_deg);
   yaml << YAML::Key << "ionosphere" << YAML::Value << (source.ionosphere_removed ? "klobuchar" : "none");
   yaml << YAML::EndMap;
   return std::string(yaml.c_str()) + "\n";
@@ -107,6 +94,7 @@ DriveWriter::DriveWriter(const std::string& directory, const DriveSource& source
   plain_.open(folder / "fix.csv");
   robust_.open(folder / "robust_fix.csv");
   std::ofstream yaml(folder / "drive.yaml");
+  for (std::ofstream* file : {&pseudoranges_, &plain_, &robust_}) file->imbue(std::locale::classic());
   pseudoranges_ << kPseudorangeColumns;
   plain_ << kFixColumns;
   robust_ << kFixColumns;

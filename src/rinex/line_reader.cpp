@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
+
+#include "multipath_localization/core/plain_numbers.hpp"
 
 namespace multipath_localization {
 
@@ -75,10 +76,9 @@ std::optional<double> LineReader::number(std::string_view field) const {
   if (text.empty()) return std::nullopt;
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool plain = text.find_first_not_of("0123456789+-.eE") == std::string::npos;
-  if (!plain || *end != '\0' || !std::isfinite(value)) throw error("'" + text + "' is not a number");
+  const std::optional<double> value = parse_number(text);
+  const bool decimal = text.find_first_not_of("0123456789+-.eE") == std::string::npos;
+  if (!decimal || !value || !std::isfinite(*value)) throw error("'" + text + "' is not a number");
   return value;
 }
 

@@ -1,28 +1,25 @@
-#include <array>
-#include <cstdio>
-
+#include "multipath_localization/core/plain_numbers.hpp"
 #include "multipath_localization/simulation/fix_faults.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
-template <class... Numbers>
-std::string text(const char* format, Numbers... numbers) {
-  std::array<char, 160> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, numbers...);
-  return buffer.data();
+std::string told(const BiasFault& f) {
+  return plain_text("bias of ", f.east, " m east, ", f.north, " m north");
 }
-
-std::string told(const BiasFault& f) { return text("bias of %g m east, %g m north", f.east, f.north); }
 std::string told(const NoiseFault& f) {
-  return text("noise of %g m white, %g m coloured over %g s", f.white_sigma, f.coloured_sigma,
-              f.time_constant);
+  return plain_text("noise of ", f.white_sigma, " m white, ", f.coloured_sigma, " m coloured over ",
+                    f.time_constant, " s");
 }
-std::string told(const SpikeFault& f) { return text("spikes of %g m in %g of the fixes", f.length, f.share); }
-std::string told(const DelayFault& f) { return text("delay of %g to %g s", f.delay, f.delay + f.jitter); }
-std::string told(const CovarianceFault& f) { return text("declared sigma times %g", f.sigma_factor); }
-std::string told(const StatusFault& f) { return text("status %d", f.status); }
+std::string told(const SpikeFault& f) {
+  return plain_text("spikes of ", f.length, " m in ", f.share, " of the fixes");
+}
+std::string told(const DelayFault& f) {
+  return plain_text("delay of ", f.delay, " to ", f.delay + f.jitter, " s");
+}
+std::string told(const CovarianceFault& f) { return plain_text("declared sigma times ", f.sigma_factor); }
+std::string told(const StatusFault& f) { return "status " + std::to_string(f.status); }
 
 /// Those of a kind that are there at `time`, each told by `sentence`.
 template <class Fault, class Sentence>
@@ -98,7 +95,7 @@ std::vector<std::string> FixFaults::active(double now) const {
   const auto its_own = [](const auto& fault) { return "fix: " + told(fault); };
   const auto named = [](const char* name) { return [name](const auto&) { return std::string(name); }; };
   const auto shared = [](const char* what) {
-    return [what](const ChanceFault& fault) { return text("fix: %g of them %s", fault.share, what); };
+    return [what](const ChanceFault& fault) { return plain_text("fix: ", fault.share, " of them ", what); };
   };
   add(all, p.biases, time, its_own);
   add(all, p.noises, time, its_own);

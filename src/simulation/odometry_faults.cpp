@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "multipath_localization/core/plain_numbers.hpp"
 #include "multipath_localization/core/random.hpp"
 #include "multipath_localization/simulation/streams.hpp"
 
@@ -19,7 +20,7 @@ const Fault* first_at(const std::vector<Fault>& faults, double time) {
 
 /// The share of some value in a sentence, "0.5".
 std::string number(double value) {
-  std::string text = std::to_string(value);
+  std::string text = fixed_text(value, 6);
   text.erase(text.find_last_not_of('0') + 1);
   return text.back() == '.' ? text + "0" : text;
 }

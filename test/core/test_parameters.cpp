@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "german_locale.hpp"
 #include "multipath_localization/core/parameters.hpp"
 
 namespace multipath_localization {
@@ -179,6 +180,20 @@ TEST(Parameters, AFileThatCannotBeReadIsNamed) {
   } catch (const ParameterError& error) {
     EXPECT_TRUE(Names(error.what(), {"no/such/file.yaml"}));
   }
+}
+
+TEST(Parameters, AreReadAndDescribedAlikeInAnyLocale) {
+  Sample sample;
+  sample.sigma = 0.25;
+  sample.particles = 1000;
+  const std::string plain = describe(sample);
+  const GermanLocale german;
+  EXPECT_EQ(describe(sample), plain);
+  const Sample read = loaded(plain);
+  EXPECT_EQ(read.sigma, 0.25);
+  EXPECT_EQ(read.particles, 1000);
+  EXPECT_EQ(read.corners, (std::vector<double>{1.0, -2.5}));
+  EXPECT_EQ(refusal("sigma: 5.5"), "sigma is 5.5, outside 0..5");
 }
 
 }  // namespace

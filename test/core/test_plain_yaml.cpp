@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "german_locale.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/plain_yaml.hpp"
 
@@ -31,6 +32,40 @@ TEST(PlainYaml, RefusesWhatHoldsItself) {
   EXPECT_NE(refusal("&a [1, *a]").find("within itself"), std::string::npos);
   EXPECT_EQ(refusal(std::string(60, '[') + std::string(60, ']')), "");
   EXPECT_NE(refusal(std::string(70, '[') + std::string(70, ']')), "");
+}
+
+TEST(ParseYaml, TellsOfDepthBeforeTheStackEnds) {
+  const auto refusal_of = [](const std::string& text) -> std::string {
+    try {
+      parse_yaml(text);
+    } catch (const ParameterError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal_of(std::string(64, '[') + std::string(64, ']')), "");
+  for (const char* level : {"[", "{a: ", "- ", "? "}) {
+    std::string deep;
+    for (int i = 0; i < 20000; ++i) deep += level;
+    EXPECT_NE(refusal_of(deep).find("nested over 64 deep"), std::string::npos) << level;
+  }
+  EXPECT_THROW(parse_yaml("[1, "), YAML::Exception);
+  EXPECT_EQ(parse_yaml("a: 1\n---\nb: 2").size(), 1U) << "the first document";
+  EXPECT_THROW(parse_yaml_file("/no/such/file"), ParameterError);
+}
+
+TEST(YamlNumber, IsReadAlikeInAnyLocale) {
+  const GermanLocale german;
+  EXPECT_EQ(yaml_number<double>(YAML::Load("-1234.5e-1")), -123.45);
+  EXPECT_EQ(yaml_number<double>(YAML::Load("-.inf")), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(yaml_number<int>(YAML::Load("1234")), 1234);
+  EXPECT_EQ(yaml_number<int>(YAML::Load("0x10")), 16);
+  EXPECT_EQ(yaml_numbers(YAML::Load("[0.5, 1]")), (std::vector<double>{0.5, 1.0}));
+  for (const char* none : {"'0,5'", "' 1.5'", "0.5m", "1e999", "~", "''", "[1]", "inf"}) {
+    EXPECT_THROW(yaml_number<double>(YAML::Load(none)), YAML::Exception) << none;
+  }
+  EXPECT_THROW(yaml_number<int>(YAML::Load("1.000")), YAML::Exception) << "no thousand";
+  EXPECT_THROW(yaml_numbers(YAML::Load("{1: 2}")), YAML::Exception);
 }
 
 TEST(PlainYaml, RefusesAliasesOfAliasesThatStandForMillions) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "../core/german_locale.hpp"
 #include "multipath_localization/evaluation/csv.hpp"
 #include "temporary_folder.hpp"
 
@@ -55,6 +56,16 @@ TEST(CsvTable, RefusesWhatIsNoTable) {
   const std::string missing = folder.path() + "/missing.csv";
   EXPECT_EQ(failure_of([&] { CsvTable(missing, {}); }), missing + ": cannot be read or is empty");
   EXPECT_NE(failure_of([&] { CsvTable(folder.write("empty.csv", ""), {}); }), "");
+}
+
+TEST(CsvTable, IsReadAlikeInAnyLocale) {
+  const GermanLocale german;
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.csv", "a\n1234.5\n");
+  const CsvTable table(file, {"a"});
+  EXPECT_EQ(table.number(0, "a"), 1234.5);
+  EXPECT_EQ(failure_of([&] { static_cast<void>(table.number(0, "a", 1000.5)); }),
+            file + ":2: a is '1234.5', beyond 1000.5");
 }
 
 }  // namespace

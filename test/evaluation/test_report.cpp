@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../core/german_locale.hpp"
 #include "multipath_localization/evaluation/report.hpp"
 
 namespace multipath_localization {
@@ -73,6 +74,15 @@ TEST(ToTable, ShowsMillimetres) {
   const std::string table = to_table({run_of("a", 1, 0.0026), run_of("b", 1, 0.4)});
   EXPECT_NE(table.find(" 0.003 "), std::string::npos) << table;
   EXPECT_NE(table.find(" 0.40 "), std::string::npos) << table;
+}
+
+TEST(Report, IsTheSameInAnyLocale) {
+  const std::vector<RunRecord> runs = {run_of("a", 1, 1234.5), run_of("a", 1234, 4.5)};
+  const std::string json = to_json(runs);
+  const std::string table = to_table(runs);
+  const GermanLocale german;
+  EXPECT_EQ(to_json(runs), json);
+  EXPECT_EQ(to_table(runs), table);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "../core/german_locale.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/guidance/waypoint_file.hpp"
 
@@ -126,6 +127,17 @@ TEST_F(WaypointFile, WritesWhatItReads) {
       EXPECT_EQ(read.points[1], list.points[1]);
     }
   }
+}
+
+TEST_F(WaypointFile, IsWrittenAndReadAlikeInAnyLocale) {
+  const WaypointList list{false, {{1234.5, -0.25}}};
+  const GermanLocale german;
+  for (const char* name : {"a.csv", "a.yaml"}) {
+    write_waypoints(folder_ / name, list);
+    EXPECT_EQ(read_waypoints(folder_ / name).value().points, list.points);
+  }
+  std::ifstream file(folder_ / "a.csv");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "x,y\n1234.5000,-0.2500\n");
 }
 
 TEST_F(WaypointFile, RefusesToWriteAnotherEnding) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include "../core/german_locale.hpp"
 #include "multipath_localization/evaluation/drive.hpp"
 #include "multipath_localization/rinex/drive_writer.hpp"
 #include "sky.hpp"
@@ -92,6 +93,22 @@ TEST_F(WriteDrive, DescriptionTellsTheTimeAndTheSource) {
   EXPECT_EQ(description["navigation"][1].as<std::string>(), "two.nav");
   EXPECT_EQ(description["elevation_mask_deg"].as<double>(), 5.0);
   EXPECT_EQ(description["ionosphere"].as<std::string>(), "klobuchar");
+}
+
+TEST_F(WriteDrive, WritesAlikeInAnyLocale) {
+  const std::string plain = folder_.path() + "/plain";
+  const std::string foreign = folder_.path() + "/foreign";
+  write(plain);
+  const GermanLocale german;
+  write(foreign);
+  for (const char* name : {"/pseudoranges.csv", "/fix.csv", "/robust_fix.csv", "/drive.yaml"}) {
+    std::ifstream one(plain + name);
+    std::ifstream other(foreign + name);
+    EXPECT_TRUE(
+        std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {}))
+        << name;
+  }
+  EXPECT_EQ(read_drive(foreign).fixes().size(), 3U);
 }
 
 TEST_F(WriteDrive, OverwritesOnlyWhenAsked) {

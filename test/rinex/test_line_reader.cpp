@@ -4,6 +4,7 @@
 
 #include <csignal>
 
+#include "../core/german_locale.hpp"
 #include "broadcast.hpp"
 #include "multipath_localization/rinex/line_reader.hpp"
 
@@ -34,6 +35,7 @@ TEST_F(ReadLines, NumbersStandInColumns) {
   LineReader in = reader("  1.5D+01-2.5E-01        7\r\n\n");
   ASSERT_TRUE(in.next());
   EXPECT_EQ(in.line().back(), '7');
+  const GermanLocale german;
   EXPECT_EQ(in.number(0, 9), std::optional<double>(15.0));
   EXPECT_EQ(in.number(9, 8), std::optional<double>(-0.25));
   EXPECT_EQ(in.number(17, 3), std::nullopt);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "../core/german_locale.hpp"
 #include "multipath_localization/core/random.hpp"
 #include "multipath_localization/simulation/fault_interval.hpp"
 #include "multipath_localization/simulation/fix_faults.hpp"
@@ -252,9 +253,11 @@ TEST(FixFaults, SayWhatIsWrongNow) {
   FixFaultParameters parameters;
   parameters.outages.push_back({1.0, 1.0});
   parameters.biases.push_back(between<BiasFault>(1.5, 1.0));
+  parameters.biases.back().north = 0.5;
   const FixFaults faults(parameters, 1, kStart);
+  const GermanLocale german;
   EXPECT_TRUE(faults.active(kStart).empty());
-  const std::vector<std::string> both = {"fix: bias of 5 m east, 0 m north", "fix: outage"};
+  const std::vector<std::string> both = {"fix: bias of 5 m east, 0.5 m north", "fix: outage"};
   EXPECT_EQ(faults.active(kStart + 1.6), both);
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "../core/german_locale.hpp"
 #include "multipath_localization/simulation/odometry_faults.hpp"
 
 namespace multipath_localization {
@@ -75,6 +76,7 @@ TEST(OdometryFaults, SayWhatIsWrongNow) {
   OdometryFaultParameters parameters;
   parameters.slips = {{1.0, 2.0, 0.5}};
   const OdometryFaults faults(parameters, 1, kStart);
+  const GermanLocale german;
   EXPECT_TRUE(faults.active(kStart).empty());
   EXPECT_EQ(faults.active(kStart + 1.0), std::vector<std::string>{"odometry: slip of 0.5"});
   EXPECT_EQ(with_dead("left").active(kStart), std::vector<std::string>{"odometry: left encoder dead"});
