@@ -34,9 +34,7 @@ TEST(Displacement, GoesSidewaysWithTheLateralSpeed) {
   EXPECT_TRUE(PoseNear(displacement(u), by_euler(u, 100000), 3e-4));
 }
 
-TEST(GroundSpeed, IsThatOfAllDirections) {
-  EXPECT_DOUBLE_EQ(ground_speed({0.0, 1.0, -3.0, 0.2, 4.0}), 5.0);
-}
+TEST(GroundSpeed, IsThatOfAllDirections) { EXPECT_DOUBLE_EQ(ground_speed({0.0, 1.0, -3.0, 0.2, 4.0}), 5.0); }
 
 TEST(Displacement, IsEquation3OfNishidaWhereThatIsDefined) {
   for (const auto& [v, w] : kSpeedsAndYawRates) {
