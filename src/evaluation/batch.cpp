@@ -8,14 +8,6 @@ namespace multipath_localization {
 
 namespace {
 
-void rate(const Drive& drive, const Batch& batch, RunRecord& run) {
-  const double from = drive.start() + batch.score_from;
-  run.score = score(run.epochs, from);
-  run.longest_off = longest_off(run.epochs, from, batch.off_from);
-  run.longest_beyond_3_sigma = longest_beyond_3_sigma(run.epochs, from);
-  run.fixes = score_fixes(drive, from);
-}
-
 void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& make,
               const ProgressReport& progress, RunRecord& run) {
   if (batch.faults) run.drive = spoilt(drive, *batch.faults, batch.fault_seed + run.seed - 1);
@@ -33,8 +25,18 @@ void run_over(const Scenario& scenario, const Batch& batch, const EstimatorFacto
   rate(run.drive, batch, run);
 }
 
+}  // namespace
+
+void rate(const Drive& drive, const Batch& batch, RunRecord& run) {
+  const double from = drive.start() + batch.score_from;
+  run.score = score(run.epochs, from);
+  run.longest_off = longest_off(run.epochs, from, batch.off_from);
+  run.longest_beyond_3_sigma = longest_beyond_3_sigma(run.epochs, from);
+  run.fixes = score_fixes(drive, from);
+}
+
 void make_run(const Stream& stream, const Batch& batch, const std::string& name,
-              const std::string& parameters, const ProgressReport& progress, RunRecord& run) {
+              const std::string& parameters, const std::function<void(double)>& progress, RunRecord& run) {
   const double started = thread_cpu_time();
   try {
     const auto make = [&] { return make_estimator(name, YAML::Load(parameters), run.seed); };
@@ -43,13 +45,11 @@ void make_run(const Stream& stream, const Batch& batch, const std::string& name,
     run.failure = error.what();
   }
   run.cpu = thread_cpu_time() - started;
-  if (run.seed != 1) {
+  if (run.seed != batch.first_seed) {
     run.epochs = {};
     run.drive = {};
   }
 }
-
-}  // namespace
 
 std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
                                        const ParameterOverrides& overrides) {
@@ -70,7 +70,7 @@ std::vector<RunRecord> run_batch(const Batch& batch, const Stream& stream,
                                  const std::function<void(std::size_t, double)>& progress) {
   std::vector<RunRecord> runs;
   for (const EstimatorVariant& variant : batch.estimators) {
-    for (std::uint64_t seed = 1; seed <= batch.seeds; ++seed) {
+    for (std::uint64_t seed = batch.first_seed; seed < batch.first_seed + batch.seeds; ++seed) {
       runs.emplace_back();
       runs.back().source = batch.source;
       runs.back().estimator = variant.label;

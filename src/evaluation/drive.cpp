@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "multipath_localization/core/estimate.hpp"
 #include "multipath_localization/core/twist_sample.hpp"
 #include "multipath_localization/evaluation/doppler_odometry.hpp"
 #include "multipath_localization/evaluation/pseudorange_file.hpp"
@@ -30,6 +31,14 @@ Geodetic point(const CsvTable& table, std::size_t row) {
   return point;
 }
 
+/// How long the motion of a row lasted, where the file tells.
+std::optional<double> told_duration(const CsvTable& table, std::size_t row) {
+  if (!table.has("duration")) return std::nullopt;
+  const double duration = table.number(row, "duration", kLatestTime);
+  if (duration <= 0.0) throw table.error(row, "duration is not above 0");
+  return duration;
+}
+
 std::vector<OdometryIncrement> read_odometry(const std::string& file) {
   const CsvTable table(file, {"t", "vx", "wz"});
   if (table.rows() < 2) throw DriveError(file + ": fewer than two rows");
@@ -39,7 +48,11 @@ std::vector<OdometryIncrement> read_odometry(const std::string& file) {
     const TwistSample now{stamp_in_order(table, i), table.number(i, "vx", kFastest),
                           table.number(i, "wz", kFastest),
                           table.has("vy") ? table.number(i, "vy", kFastest) : 0.0};
-    increments.push_back(i == 0 ? motion_of(now, kFirstInterval) : motion_between(before, now));
+    if (const std::optional<double> duration = told_duration(table, i)) {
+      increments.push_back(motion_of(now, *duration));
+    } else {
+      increments.push_back(i == 0 ? motion_of(now, kFirstInterval) : motion_between(before, now));
+    }
     before = now;
   }
   return increments;
@@ -65,6 +78,16 @@ std::vector<OdometryIncrement> odometry_by_doppler(const std::vector<RecordedMea
   return odometry_of(track.samples);
 }
 
+FixStatus status_of(const CsvTable& table, std::size_t row) {
+  if (!table.has("status")) return FixStatus::kSingle;
+  const double status = table.number(row, "status");
+  for (const FixStatus known :
+       {FixStatus::kNone, FixStatus::kSingle, FixStatus::kSatelliteBased, FixStatus::kGroundBased}) {
+    if (status == static_cast<double>(known)) return known;
+  }
+  throw table.error(row, "status is none of -1, 0, 1, 2");
+}
+
 RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, const LocalFrame& map) {
   GnssFix fix;
   fix.stamp = stamp_in_order(table, row);
@@ -73,7 +96,17 @@ RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, const Local
   const double cross = table.number(row, "cov_en_m2");
   const double north = table.number(row, "cov_nn_m2");
   fix.covariance << east, cross, cross, north;
+  fix.status = status_of(table, row);
   return {fix, table.has("t_arrival") ? table.number(row, "t_arrival", kLatestTime) : fix.stamp};
+}
+
+/// The rows of a table that are fixes: all but those that say they are none.
+std::vector<std::size_t> rows_of_fixes(const CsvTable& table) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (status_of(table, i) != FixStatus::kNone) rows.push_back(i);
+  }
+  return rows;
 }
 
 TruthSample read_truth_sample(const CsvTable& table, std::size_t row, const LocalFrame& map) {
@@ -142,20 +175,24 @@ Drive read_drive(const std::string& directory) {
   drive.name = (folder / "").parent_path().filename().string();
 
   std::optional<CsvTable> fixes;
+  std::vector<std::size_t> fix_rows;
   std::optional<PseudorangeFile> pseudoranges;
   if (exists(folder / "fix.csv")) {
     fixes.emplace(folder / "fix.csv", kFixColumns);
-    if (fixes->rows() == 0) throw DriveError((folder / "fix.csv").string() + ": no fix");
+    fix_rows = rows_of_fixes(*fixes);
+    if (fix_rows.empty()) throw DriveError((folder / "fix.csv").string() + ": no fix");
   }
   if (exists(folder / "pseudoranges.csv")) pseudoranges.emplace(folder / "pseudoranges.csv");
   if (!fixes && !pseudoranges) throw DriveError(directory + ": neither fix.csv nor pseudoranges.csv");
-  drive.datum = fixes ? point(*fixes, 0) : pseudoranges->first_position();
+  drive.datum = fixes ? point(*fixes, fix_rows.front()) : pseudoranges->first_position();
   const LocalFrame map(drive.datum);
   const auto epochs = pseudoranges ? pseudoranges->epochs(map) : std::vector<RecordedMeasurement>();
   drive.odometry = exists(folder / "odometry.csv") ? read_odometry(folder / "odometry.csv")
                                                    : odometry_by_doppler(epochs, directory, drive.notices);
-  for (std::size_t i = 0; fixes && i < fixes->rows(); ++i) {
-    drive.measurements.push_back(read_fix(*fixes, i, map));
+  for (const std::size_t row : fix_rows) drive.measurements.push_back(read_fix(*fixes, row, map));
+  if (fixes && fix_rows.size() < fixes->rows()) {
+    drive.notices.push_back("fix.csv: " + std::to_string(fixes->rows() - fix_rows.size()) +
+                            " rows refused: " + std::string(to_string(Reason::kNoFix)));
   }
   drive.measurements.insert(drive.measurements.end(), epochs.begin(), epochs.end());
   std::stable_sort(

@@ -8,25 +8,14 @@
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/plain_numbers.hpp"
 #include "multipath_localization/evaluation/json.hpp"
+#include "multipath_localization/evaluation/text_table.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
-std::string number(double value, int digits) {
-  PlainStream out;
-  out.precision(digits);
-  out << (std::abs(value) < 1e6 ? std::fixed : std::scientific) << value;
-  return out.str();
-}
-
 std::string json(std::optional<double> value) {
   return value && std::isfinite(*value) ? number(*value, 6) : "null";
-}
-
-/// The same for the table: one digit more where two would leave next to nothing, as of errors of RTK.
-std::string figure(double value, int digits) {
-  return number(value, digits == 2 && std::abs(value) < 0.0995 ? 3 : digits);
 }
 
 /// A line of the table: the runs behind it and which score of theirs it is about.
@@ -139,21 +128,12 @@ std::vector<Line> lines(const std::vector<RunRecord>& runs) {
   return all;
 }
 
-using TextColumn = std::vector<std::string>;
-
-/// The first `names` columns begin, the others end at the same place in every line.
-std::string side_by_side(const std::vector<TextColumn>& text, std::size_t names) {
+/// What is told of the drive, each with a comma before it.
+std::string json_of_drive(const RunRecord& run) {
   std::string out;
-  for (std::size_t row = 0; row < text.front().size(); ++row) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      std::size_t width = 0;
-      for (const std::string& cell : text[i]) width = std::max(width, cell.size());
-      const std::string padding(width - text[i][row].size(), ' ');
-      if (i > 0) out += "  ";
-      out += i < names ? text[i][row] + padding : padding + text[i][row];
-    }
-    out += "\n";
-  }
+  if (!run.kind.empty()) out += ", \"kind\": " + quoted(run.kind);
+  if (!run.about.empty()) out += ", \"about\": " + quoted(run.about);
+  for (const auto& [name, value] : run.traits) out += ", " + quoted(name) + ": " + value;
   return out;
 }
 
@@ -178,7 +158,7 @@ std::string to_json(const std::vector<RunRecord>& runs) {
         << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu)
         << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
         << ", \"fix_rmse_shadow_m\": " << json(run.fixes.rmse_shadow)
-        << ", \"fix_rmse_open_m\": " << json(run.fixes.rmse_open) << "}";
+        << ", \"fix_rmse_open_m\": " << json(run.fixes.rmse_open) << json_of_drive(run) << "}";
     separator = ",\n";
   }
   out << "\n]\n";

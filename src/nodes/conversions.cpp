@@ -40,6 +40,14 @@ bool usable_covariance(const sensor_msgs::NavSatFix& message, double largest_sig
   return in_range && (declares_none(message) || positive_semi_definite(declared));
 }
 
+/// As claimed; a status that NavSatStatus does not know tells nothing.
+FixStatus status_of(const sensor_msgs::NavSatFix& message) {
+  const int status = message.status.status;
+  const bool known = status >= sensor_msgs::NavSatStatus::STATUS_NO_FIX &&
+                     status <= sensor_msgs::NavSatStatus::STATUS_GBAS_FIX;
+  return known ? static_cast<FixStatus>(status) : FixStatus::kSingle;
+}
+
 }  // namespace
 
 std::string without_slash(const std::string& frame) {
@@ -88,6 +96,7 @@ CheckedFix to_fix(const sensor_msgs::NavSatFix& message, const LocalFrame& map,
   checked.fix.stamp = message.header.stamp.toSec();
   checked.fix.position = map.to_map(to_geodetic(message));
   checked.fix.antenna_in_base = antenna_in_base;
+  checked.fix.status = status_of(message);
   checked.fix.covariance =
       declares_none(message)
           ? Eigen::Matrix2d(Eigen::Matrix2d::Identity() * std::pow(parameters.default_sigma, 2))
@@ -100,7 +109,7 @@ sensor_msgs::NavSatFix to_message(const GnssFix& fix, const LocalFrame& map, con
   const Geodetic point = map.to_geodetic(fix.position);
   sensor_msgs::NavSatFix message;
   message.header = header;
-  message.status.status = sensor_msgs::NavSatStatus::STATUS_FIX;
+  message.status.status = static_cast<std::int8_t>(fix.status);
   message.status.service = sensor_msgs::NavSatStatus::SERVICE_GPS;
   message.latitude = point.latitude_deg;
   message.longitude = point.longitude_deg;

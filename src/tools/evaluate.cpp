@@ -13,13 +13,17 @@
 
 #include "multipath_localization/estimators/make_estimator.hpp"
 #include "multipath_localization/evaluation/batch.hpp"
+#include "multipath_localization/evaluation/drive_files.hpp"
 #include "multipath_localization/evaluation/progress.hpp"
+#include "multipath_localization/evaluation/random_suite.hpp"
 #include "multipath_localization/evaluation/report.hpp"
 #include "multipath_localization/evaluation/shortcomings.hpp"
+#include "multipath_localization/evaluation/standings.hpp"
 #include "multipath_localization/evaluation/suite.hpp"
 #include "multipath_localization/evaluation/trace.hpp"
 #include "nodes/bag_drive.hpp"
 #include "nodes/fault_injector.hpp"
+#include "tools/evaluate/command_line.hpp"
 #include "tools/evaluate/options.hpp"
 
 namespace multipath_localization {
@@ -31,88 +35,6 @@ namespace po = boost::program_options;
 constexpr char kLocalizer[] = "localizer";
 constexpr char kSimulator[] = "simulator";
 constexpr char kSteering[] = "steering";
-
-/// The command line.
-struct Options {
-  std::string drive;
-  std::string bag;
-  std::string scenario;
-  std::string suite;
-  BagTopics topics;
-  std::optional<Geodetic> datum;
-  Batch batch;
-  std::vector<std::string> assignments;
-  std::string faults_file;
-  std::string json_file;
-  std::string plot_file;
-};
-
-/// What is wrong with the command line.
-class UsageError : public std::invalid_argument {
- public:
-  using std::invalid_argument::invalid_argument;
-};
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts;
-  std::istringstream in(text);
-  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
-  return parts;
-}
-
-Geodetic parse_datum(const std::string& text) {
-  const std::vector<std::string> parts = split(text);
-  try {
-    const Geodetic datum{std::stod(parts.at(0)), std::stod(parts.at(1)),
-                         parts.size() > 2 ? std::stod(parts[2]) : 0.0};
-    if (parts.size() <= 3 && valid(datum)) return datum;
-  } catch (const std::logic_error&) {
-  }
-  throw UsageError("--datum " + text + " is not LATITUDE,LONGITUDE[,ALTITUDE]");
-}
-
-std::vector<EstimatorVariant> chosen(const std::string& list) {
-  if (list.empty()) return parse_variants(estimator_names().front());
-  if (list != "all") return parse_variants(list);
-  std::vector<EstimatorVariant> all;
-  for (const std::string& name : estimator_names()) all.push_back({name, name, ""});
-  return all;
-}
-
-Options read_options(const po::variables_map& given) {
-  const auto text = [&](const char* key) { return given.count(key) > 0 ? given[key].as<std::string>() : ""; };
-  const auto count = [&](const char* key) {
-    if (given[key].as<int>() < 1) throw UsageError(std::string("--") + key + " is less than 1");
-    return static_cast<std::size_t>(given[key].as<int>());
-  };
-  if (given.count("drive") + given.count("bag") + given.count("scenario") + given.count("suite") != 1) {
-    throw UsageError("give one of --drive, --bag, --scenario, --suite; --help tells more");
-  }
-  if (given.count("suite") > 0 && given.count("plot") + given.count("faults") > 0) {
-    throw UsageError("--plot and --faults are for one stream, not for a suite");
-  }
-  Options options;
-  options.drive = text("drive");
-  options.bag = text("bag");
-  options.scenario = text("scenario");
-  options.suite = text("suite");
-  options.topics = {text("fix-topic"),   text("odom-topic"), text("truth-topic"), text("shadow-topic"),
-                    text("epoch-topic"), text("left-topic"), text("right-topic")};
-  if (given.count("datum") > 0) options.datum = parse_datum(text("datum"));
-  if (given.count("set") > 0) options.assignments = given["set"].as<std::vector<std::string>>();
-  options.faults_file = text("faults");
-  options.json_file = text("json");
-  options.plot_file = text("plot");
-
-  Batch& batch = options.batch;
-  batch.estimators = chosen(text("estimators"));
-  batch.seeds = count("seeds");
-  batch.jobs = count("jobs");
-  batch.score_from = given["score-from"].as<double>();
-  batch.off_from = given["off-from"].as<double>();
-  batch.settings.known_start = given.count("known-start") > 0;
-  return options;
-}
 
 /// A file of the package, installed or in the source tree.
 std::string package_file(const std::string& installed, const std::string& source) {
@@ -143,6 +65,15 @@ std::vector<NamedStream> open_streams(const Options& options) {
     return {{options.scenario, load_scenario(named_file(options.scenario, "config/scenarios"))}};
   }
   std::vector<NamedStream> rows;
+  if (!options.drives_directory().empty()) {
+    FoundDrives found = read_drives(options.drives_directory(), options.batch.score_from);
+    for (const std::string& drive : found.left_out) std::cerr << "left out: " << drive << "\n";
+    for (Drive& drive : found.drives) {
+      std::string name = drive.name;
+      rows.push_back({std::move(name), std::move(drive)});
+    }
+    return rows;
+  }
   for (Scenario& row : load_suite(named_file(options.suite, "config/suites"))) {
     std::string name = row.name;
     rows.push_back({std::move(name), std::move(row)});
@@ -247,15 +178,47 @@ int report_failures(const std::vector<RunRecord>& runs) {
   return failed;
 }
 
+std::vector<RunRecord> make_random_runs(const Options& options) {
+  Batch batch = options.batch;
+  batch.source = kRandomSuite;
+  Stream recording = Drive();
+  const std::vector<std::string> parameters = settle_parameters(options.assignments, batch, recording);
+  ProgressBar bar(batch.seeds, isatty(STDERR_FILENO) != 0);
+  return run_random(batch, parameters, [&](std::size_t i, double part) { bar.update(i, part); });
+}
+
+int write_random_drives(const Options& options) {
+  const std::uint64_t first = options.batch.first_seed;
+  for (std::uint64_t seed = first; seed < first + options.batch.seeds; ++seed) {
+    const RandomDrive made = random_drive(seed);
+    const std::string directory = (fs::path(options.write_directory) / made.drive.name).string();
+    write_drive(made.drive, directory);
+    std::cout << directory << ": " << describe(made.robot) << "\n";
+  }
+  return 0;
+}
+
+/// Prints what suites over drives end with, and writes what was asked for.
+int report_standings(const Options& options, const std::vector<RunRecord>& runs) {
+  std::cout << describe_standings(runs);
+  if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
+  return report_failures(runs) == 0 ? 0 : 1;
+}
+
 int evaluate(const Options& options) {
+  if (!options.write_directory.empty()) return write_random_drives(options);
+  if (options.suite == kRandomSuite) return report_standings(options, make_random_runs(options));
   std::vector<NamedStream> streams = open_streams(options);
   const Stream& first = streams.front().stream;
   const std::string title = std::visit([](const auto& s) { return s.name; }, first);
-  if (const auto* drive = std::get_if<Drive>(&first)) {
-    for (const std::string& notice : drive->notices) std::cerr << title << ": " << notice << "\n";
+  for (const NamedStream& named : streams) {
+    const auto* drive = std::get_if<Drive>(&named.stream);
+    if (drive == nullptr) continue;
+    for (const std::string& notice : drive->notices) std::cerr << drive->name << ": " << notice << "\n";
   }
   const std::vector<RunRecord> runs = make_runs(options, streams);
   std::cout << to_table(runs);
+  if (options.over_drives()) return report_standings(options, runs);
   if (!options.suite.empty()) {
     for (const std::string& sentence : shortcomings(runs)) std::cout << sentence << "\n";
   }

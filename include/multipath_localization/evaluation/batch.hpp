@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -22,7 +23,8 @@ using Stream = std::variant<Drive, Scenario>;
 struct Batch {
   std::string source;  ///< what the runs call the stream
   std::vector<EstimatorVariant> estimators;
-  std::uint64_t seeds = 1;  ///< 1..seeds
+  std::uint64_t first_seed = 1;
+  std::uint64_t seeds = 1;  ///< how many, from the first one on
   std::size_t jobs = 1;     ///< runs at a time
   double score_from = 0.0;  ///< after the start of the stream [s]
   double off_from = 2.0;    ///< error from which an estimate counts as off [m]
@@ -44,8 +46,12 @@ struct RunRecord {
   Course course;                                 ///< scenarios only
   double cpu = 0.0;  ///< processor time of the thread, the simulator's included [s]
 
-  std::vector<Epoch> epochs;  ///< of seed 1 only, to be drawn
-  Drive drive;                ///< of seed 1 of a scenario, or of a recording with faults, only
+  std::string kind;   ///< of the drive, by which suites sum up; empty: there are no kinds
+  std::string about;  ///< the drive in one line
+  std::vector<std::pair<std::string, std::string>> traits;  ///< of the drive: name and value, as JSON
+
+  std::vector<Epoch> epochs;  ///< of the first seed only, to be drawn
+  Drive drive;                ///< of the first seed of a scenario, or of a recording with faults, only
 };
 
 /// Parameters of each estimator of the batch as YAML text: those of the scenario, over them the `overrides`
@@ -53,6 +59,13 @@ struct RunRecord {
 /// parameter.
 std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
                                        const ParameterOverrides& overrides);
+
+/// Scores a run by its epochs over a drive.
+void rate(const Drive& drive, const Batch& batch, RunRecord& run);
+
+/// Makes the run of an estimator over a stream with the seed that is in `run`, and scores it.
+void make_run(const Stream& stream, const Batch& batch, const std::string& estimator,
+              const std::string& parameters, const std::function<void(double)>& progress, RunRecord& run);
 
 /// Makes all runs, in the order of the estimators and then the seeds; `parameters` as from `parameters_of`.
 /// `progress` is told the run and the fraction of it that is done, from several threads. Results do not

@@ -47,11 +47,13 @@ std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, doubl
 /// Where an antenna truly was, or the base itself where truth has no heading [m].
 Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& antenna_in_base);
 
-/// Reads `odometry.csv` (t, vx, wz; optional vy), `truth.csv` (t, lat_deg, lon_deg; optional alt_m, yaw,
-/// shadow) and `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional alt_m, t_arrival) or
-/// `pseudoranges.csv` (PseudorangeFile) or both of a directory; other columns are left alone. Times are
-/// seconds up to kLatestTime, wheels turn at up to 1e3 m/s and rad/s; the motion between two rows is
-/// `motion_between` them, and the first row stands for kFirstInterval. The map's datum is the first fix,
+/// Reads `odometry.csv` (t, vx, wz; optional vy, duration), `truth.csv` (t, lat_deg, lon_deg; optional alt_m,
+/// yaw, shadow) and `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional alt_m,
+/// t_arrival, status as of NavSatStatus, whose -1 is refused as no fix) or `pseudoranges.csv`
+/// (PseudorangeFile) or both of a directory; other columns are left alone. Times are seconds up to
+/// kLatestTime, wheels turn at up to 1e3 m/s and rad/s. The motion between two rows is `motion_between` them,
+/// and the first row stands for kFirstInterval; with a `duration` [s] a row is the mean over it, up to t. The
+/// map's datum is the first fix,
 /// without fixes the solution of the first epoch: truth decides nothing but the score, and without
 /// `truth.csv` there is none. Without `odometry.csv` the motion is that by the Doppler shifts of
 /// `pseudoranges.csv` (doppler_odometry.hpp). The drive's notices say so.

@@ -29,6 +29,11 @@ enum SimulationStream : std::uint32_t {
   kOdometryLossStream,
   kFixColouredNoiseStream = 0xF0006000U,  ///< plus the index of the noise
   kFixWhiteNoiseStream = 0xF0007000U,     ///< plus the index of the noise
+  kRandomRobotStream = 0xF0008000U,       ///< what a random robot is
+  kRandomWayStream,
+  kRandomOdometryStream,
+  kRandomReceiverStream,
+  kRandomFixStream,
 };
 
 }  // namespace multipath_localization

@@ -14,6 +14,12 @@ The table has one line per estimator: means over the seeds, in metres where noth
   NEES           error squared over declared variance, 2 is ideal; 'in 95 %' [%] inside the declared ellipse
   waypoints >=   passed by the follower in the seed with the fewest
   missed by <=   the farthest the robot truly was from a waypoint it passed, in the worst seed
+What suites over drives end with, for all drives and for each kind of receiver:
+  rmse           geometric mean over the drives
+  to best other  geometric mean of the RMSE over that of the best of fixes, gated_ekf and two_stage_ekf
+  to oracle      the same over that of a filter that is told what is wrong with each fix, and all constants
+  behind         share of drives on which it is over 10 % worse than the best other
+  beyond         share on which it was outside its own 3 sigma for over 5 s, over 30 s on end
 Exit status: 0 when every run ended, 1 when one did not, 2 when the command line or the data cannot be used.
 )";
 
@@ -31,7 +37,9 @@ po::options_description stream_options() {
       "file");
   add("suite", text("NAME"),
       "scenarios in a row, and what is to be wished for of the first estimator in each: "
-      "config/suites/NAME.yaml, or a file");
+      "config/suites/NAME.yaml, or a file. 'random': a robot, way and receiver drawn for each seed; "
+      "'drives:DIR': every recording in DIR, fixes and odometry alone. These two run the default estimator, "
+      "gated_ekf and two_stage_ekf, are scored from 60 s on and end with how they stand over all drives");
   add("fix-topic", text("TOPIC"),
       "of the bag, with or without leading slash; gps/fix, or the only NavSatFix");
   add("epoch-topic", text("TOPIC"), "gnss/epoch, or the only GnssEpoch");
@@ -63,7 +71,8 @@ po::options_description run_options() {
       "names, or 'all'; left out: the default estimator. With parameters of its own as NAME{KEY: VALUE, "
       "...}, "
       "under a name of its own as LABEL=NAME{KEY: VALUE, ...}");
-  add("seeds", number("N", 1), "run seeds 1..N");
+  add("seeds", po::value<std::string>()->default_value("1")->value_name("N"),
+      "run seeds 1..N, or FIRST..LAST; of random robots the seed is the robot's too");
   add("jobs", number("N", 1), "runs at a time; changes no result");
   add("known-start", "tell the estimators the true pose at the start; it is unknown otherwise");
   add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
@@ -72,8 +81,11 @@ po::options_description run_options() {
       "a scenario as simulator.KEY and steering.KEY; nested by dots; may be repeated");
   add("off-from", po::value<double>()->default_value(2.0)->value_name("M"),
       "the estimate counts as off from an error of M metres on");
-  add("score-from", po::value<double>()->default_value(0.0)->value_name("S"), "score from S seconds on");
+  add("score-from", po::value<double>()->value_name("S"),
+      "score from S seconds on; left out: from 60 for suites over drives, from 0 for others");
   add("json", text("FILE"), "write the figures of each run");
+  add("write", text("DIR"),
+      "instead of running anything: write the drives of --suite random as DIR/random_SEED");
   add("plot", text("FILE.png"), "draw seed 1: trajectories, error and declared error over time");
   add("help", "print this");
   return options;

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "multipath_localization/evaluation/drive.hpp"
+#include "multipath_localization/simulation/random_robot.hpp"
+
+namespace multipath_localization {
+
+/// A random robot's drive as a recording, and what only the oracle is told of it.
+struct RandomDrive {
+  RandomRobot robot;  ///< without its steps
+  Drive drive;
+  std::vector<FixTruth> fix_truths;               ///< of each of the drive's fixes
+  std::vector<OdometryIncrement> without_faults;  ///< odometry, had the wheels had no faults
+};
+
+/// The drive of a seed, named random_SEED; the same bytes for the same seed. Truth ten times a second, twenty
+/// times where fixes come as often.
+RandomDrive random_drive(std::uint64_t seed);
+
+}  // namespace multipath_localization

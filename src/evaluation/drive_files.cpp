@@ -1,0 +1,128 @@
+#include "multipath_localization/evaluation/drive_files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <locale>
+
+namespace multipath_localization {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that takes numbers without loss.
+class CsvFile {
+ public:
+  CsvFile(const fs::path& file, const std::string& header) : file_(file), out_(file) {
+    out_.imbue(std::locale::classic());
+    out_ << std::setprecision(17) << header << "\n";
+  }
+
+  template <class... Numbers>
+  void row(double first, const Numbers&... others) {
+    out_ << first;
+    ((out_ << ',' << others), ...);
+    out_ << "\n";
+  }
+
+  void close() {
+    if (!out_.flush()) throw DriveError("cannot write " + file_.string());
+  }
+
+ private:
+  fs::path file_;
+  std::ofstream out_;
+};
+
+void write_odometry(const Drive& drive, const fs::path& folder) {
+  CsvFile file(folder / "odometry.csv", "t,vx,wz,vy,duration");
+  for (const OdometryIncrement& u : drive.odometry) {
+    file.row(u.stamp, u.speed, u.yaw_rate, u.lateral_speed, u.duration);
+  }
+  file.close();
+}
+
+void write_fixes(const Drive& drive, const LocalFrame& map, const fs::path& folder) {
+  CsvFile file(folder / "fix.csv", "t,lat_deg,lon_deg,cov_ee_m2,cov_en_m2,cov_nn_m2,status");
+  for (const GnssFix& fix : drive.fixes()) {
+    const Geodetic point = map.to_geodetic(fix.position);
+    const Eigen::Matrix2d& covariance = fix.covariance;
+    file.row(fix.stamp, point.latitude_deg, point.longitude_deg, covariance(0, 0), covariance(0, 1),
+             covariance(1, 1), static_cast<int>(fix.status));
+  }
+  file.close();
+}
+
+void write_truth(const Drive& drive, const LocalFrame& map, const fs::path& folder) {
+  const bool shadows = !drive.truth.empty() && drive.truth.front().shadow.has_value();
+  CsvFile file(folder / "truth.csv", std::string("t,lat_deg,lon_deg,yaw") + (shadows ? ",shadow" : ""));
+  for (const TruthSample& sample : drive.truth) {
+    const Geodetic point = map.to_geodetic(sample.base_in_map.position());
+    const double yaw = sample.base_in_map.yaw;
+    if (shadows) {
+      file.row(sample.stamp, point.latitude_deg, point.longitude_deg, yaw, sample.shadow.value_or(false));
+    } else {
+      file.row(sample.stamp, point.latitude_deg, point.longitude_deg, yaw);
+    }
+  }
+  file.close();
+}
+
+/// Why a directory is no drive to be run, or nothing.
+std::string what_is_missing(const fs::path& folder) {
+  for (const char* file : {"truth.csv", "fix.csv", "odometry.csv"}) {
+    if (!exists(folder / file)) return std::string("no ") + file;
+  }
+  return "";
+}
+
+Drive fixes_alone(Drive drive) {
+  const auto is_no_fix = [](const RecordedMeasurement& recorded) {
+    return !std::holds_alternative<GnssFix>(recorded.measurement);
+  };
+  drive.measurements.erase(std::remove_if(drive.measurements.begin(), drive.measurements.end(), is_no_fix),
+                           drive.measurements.end());
+  return drive;
+}
+
+}  // namespace
+
+void write_drive(const Drive& drive, const std::string& directory) {
+  const fs::path folder = directory;
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) throw DriveError("cannot make " + directory + ": " + failed.message());
+  const LocalFrame map(drive.datum);
+  write_odometry(drive, folder);
+  write_fixes(drive, map, folder);
+  write_truth(drive, map, folder);
+}
+
+FoundDrives read_drives(const std::string& directory, double score_from) {
+  if (!fs::is_directory(directory)) throw DriveError(directory + " is not a directory");
+  std::vector<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    if (entry.is_directory()) folders.push_back(entry.path());
+  }
+  std::sort(folders.begin(), folders.end());
+  FoundDrives found;
+  for (const fs::path& folder : folders) {
+    const std::string name = folder.filename().string();
+    std::string reason = what_is_missing(folder);
+    if (reason.empty()) {
+      Drive drive = fixes_alone(read_drive(folder.string()));
+      if (drive.truth.back().stamp > drive.start() + score_from) {
+        found.drives.push_back(std::move(drive));
+        continue;
+      }
+      reason = "ends before what is scored";
+    }
+    found.left_out.push_back(name + ": " + reason);
+  }
+  if (found.drives.empty()) throw DriveError(directory + ": no drive in it");
+  return found;
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,45 @@
+#include "multipath_localization/evaluation/random_drive.hpp"
+
+#include <algorithm>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr int kTruthPeriodMs = 100;
+const Geodetic kDatum{33.894, 130.839, 30.0};
+
+std::vector<TruthSample> truth_of(const RandomRobot& robot) {
+  const int period_ms = std::min(kTruthPeriodMs, robot.receiver.period_ms);
+  const auto stride = static_cast<std::size_t>(period_ms / kWayStepMs);
+  std::vector<TruthSample> truth;
+  for (std::size_t n = 1; n * stride <= robot.steps.size(); ++n) {
+    TruthSample sample;
+    sample.stamp = static_cast<double>(n * stride) * kWayStepMs / 1000.0;
+    sample.base_in_map = robot.steps[n * stride - 1].base_in_map;
+    sample.has_yaw = true;
+    sample.shadow = shadow_at(robot.receiver, sample.base_in_map.position()) != nullptr;
+    truth.push_back(sample);
+  }
+  return truth;
+}
+
+}  // namespace
+
+RandomDrive random_drive(std::uint64_t seed) {
+  RandomDrive made;
+  made.robot = draw_robot(seed);
+  made.drive.name = "random_" + std::to_string(seed);
+  made.drive.datum = kDatum;
+  made.drive.truth = truth_of(made.robot);
+  ReadOdometry odometry = read_odometry(made.robot.odometry, made.robot.steps, seed);
+  made.drive.odometry = std::move(odometry.increments);
+  made.without_faults = std::move(odometry.without_faults);
+  ReadFixes fixes = read_fixes(made.robot.receiver, made.robot.steps, seed);
+  for (const GnssFix& fix : fixes.fixes) made.drive.measurements.push_back({fix, fix.stamp});
+  made.fix_truths = std::move(fixes.truths);
+  made.robot.steps = {};
+  return made;
+}
+
+}  // namespace multipath_localization

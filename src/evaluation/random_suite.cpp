@@ -1,0 +1,71 @@
+#include "multipath_localization/evaluation/random_suite.hpp"
+
+#include <algorithm>
+
+#include "multipath_localization/core/plain_numbers.hpp"
+#include "multipath_localization/evaluation/json.hpp"
+#include "multipath_localization/evaluation/oracle.hpp"
+#include "multipath_localization/evaluation/parallel.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+double share_in_shadow(const std::vector<TruthSample>& truth) {
+  const auto shadow = std::count_if(truth.begin(), truth.end(),
+                                    [](const TruthSample& sample) { return sample.shadow.value_or(false); });
+  return static_cast<double>(shadow) / static_cast<double>(truth.size());
+}
+
+std::vector<std::pair<std::string, std::string>> traits_of(const RandomDrive& drive) {
+  const RandomRobot& robot = drive.robot;
+  return {{"declaration", quoted(std::string(to_string(robot.receiver.declaration)))},
+          {"street", quoted(std::string(to_string(robot.way.street)))},
+          {"yaw_source", quoted(std::string(to_string(robot.odometry.yaw)))},
+          {"speed_mps", plain_text(robot.way.speed)},
+          {"fix_rate_hz", plain_text(1e3 / robot.receiver.period_ms)},
+          {"odometry_rate_hz", plain_text(1e3 / robot.odometry.period_ms)},
+          {"open_sky_sigma_m", plain_text(robot.receiver.levels.front().sigma())},
+          {"shadow_share", plain_text(share_in_shadow(drive.drive.truth))},
+          {"outlier_share", plain_text(robot.receiver.outlier_share)},
+          {"wheel_faults", std::to_string(robot.odometry.faults.size())}};
+}
+
+void run_oracle_over(const RandomDrive& drive, const Batch& batch, RunRecord& run) {
+  const double started = thread_cpu_time();
+  run.epochs = run_oracle(drive);
+  rate(drive.drive, batch, run);
+  run.cpu = thread_cpu_time() - started;
+}
+
+}  // namespace
+
+std::vector<RunRecord> run_random(const Batch& batch, const std::vector<std::string>& parameters,
+                                  const std::function<void(std::size_t, double)>& progress) {
+  const std::size_t all = batch.estimators.size() + 1;
+  std::vector<RunRecord> runs(all * batch.seeds);
+  for_each_index(batch.seeds, batch.jobs, [&](std::size_t i) {
+    RandomDrive made = random_drive(batch.first_seed + i);
+    for (std::size_t variant = 0; variant < all; ++variant) {
+      RunRecord& run = runs[variant * batch.seeds + i];
+      run.source = batch.source;
+      run.seed = batch.first_seed + i;
+      run.kind = to_string(made.robot.receiver.kind);
+      run.about = describe(made.robot);
+      run.traits = traits_of(made);
+    }
+    run_oracle_over(made, batch, runs[batch.estimators.size() * batch.seeds + i]);
+    const Stream stream = std::move(made.drive);
+    for (std::size_t variant = 0; variant < all; ++variant) {
+      RunRecord& run = runs[variant * batch.seeds + i];
+      const bool oracle = variant == batch.estimators.size();
+      run.estimator = oracle ? kOracle : batch.estimators[variant].label;
+      if (!oracle) make_run(stream, batch, batch.estimators[variant].name, parameters[variant], nullptr, run);
+      run.epochs = {};
+      if (progress) progress(i, static_cast<double>(variant + 1) / static_cast<double>(all));
+    }
+  });
+  return runs;
+}
+
+}  // namespace multipath_localization
