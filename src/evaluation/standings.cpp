@@ -25,11 +25,12 @@ struct Contest {
 
   /// The error of an estimator, or of the fixes as they are [m]; nothing without a score.
   [[nodiscard]] std::optional<double> rmse(const std::string& estimator) const {
-    const bool fixes = estimator == kFixes;
-    const auto found = fixes ? runs.begin() : runs.find(estimator);
-    if (found == runs.end() || !found->second->failure.empty()) return std::nullopt;
-    const std::optional<double> rmse = fixes ? found->second->fixes.rmse : found->second->score.rmse;
-    return rmse ? std::optional(std::max(*rmse, kLeastError)) : std::nullopt;
+    for (const auto& [name, run] : runs) {
+      if (!run->failure.empty() || (estimator != kFixes && estimator != name)) continue;
+      const std::optional<double> rmse = estimator == kFixes ? run->fixes.rmse : run->score.rmse;
+      if (rmse) return std::max(*rmse, kLeastError);
+    }
+    return std::nullopt;
   }
 
   /// The best of the others and its error [m].

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <optional>
 
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/simulation/gauss_markov.hpp"
 #include "multipath_localization/simulation/random_ranges.hpp"
 #include "multipath_localization/simulation/random_receiver.hpp"
@@ -147,7 +148,8 @@ class FixReader {
       fix.position += of_length(random_, draw(random_, ranges::kOutlier));
     }
     const double sigma = declared(truth);
-    fix.covariance = sigma * sigma * receiver_.declared_shape * receiver_.declared_shape.transpose();
+    fix.covariance =
+        symmetric<2>(sigma * sigma * receiver_.declared_shape * receiver_.declared_shape.transpose());
     return fix;
   }
 

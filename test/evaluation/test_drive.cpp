@@ -68,6 +68,33 @@ TEST_F(ReadDrive, ReadsMotionSidewaysWhereItIsGiven) {
   EXPECT_DOUBLE_EQ(read_drive(folder_.path()).odometry[1].lateral_speed, -0.2);
 }
 
+TEST_F(ReadDrive, TwistsWithADurationAreMeansOverIt) {
+  folder_.write("odometry.csv", "t,vx,wz,duration\n0.5,1,0.1,0.5\n1,3,0.3,0.25\n");
+  const Drive drive = read_drive(folder_.path());
+  ASSERT_EQ(drive.odometry.size(), 2u);
+  EXPECT_EQ(drive.odometry[0].speed, 1.0);
+  EXPECT_EQ(drive.odometry[0].duration, 0.5);
+  EXPECT_EQ(drive.odometry[1].yaw_rate, 0.3);
+  EXPECT_EQ(drive.odometry[1].duration, 0.25);
+  folder_.write("odometry.csv", "t,vx,wz,duration\n0.5,1,0.1,0.5\n1,3,0.3,0\n");
+  EXPECT_EQ(failure(), folder_.path() + "/odometry.csv:3: duration is not above 0");
+}
+
+TEST_F(ReadDrive, FixesClaimTheirStatusAndThoseThatAreNoneAreRefused) {
+  const std::string header = "t,lat_deg,lon_deg,cov_ee_m2,cov_en_m2,cov_nn_m2,status\n";
+  folder_.write("fix.csv", header + "0,,,,,,-1\n1,50,10,1,0,1,2\n2,50,10,1,0,1,1\n3,50,10,1,0,1,0\n");
+  const Drive drive = read_drive(folder_.path());
+  ASSERT_EQ(drive.fixes().size(), 3u);
+  EXPECT_EQ(drive.fixes()[0].status, FixStatus::kGroundBased);
+  EXPECT_EQ(drive.fixes()[1].status, FixStatus::kSatelliteBased);
+  EXPECT_EQ(drive.fixes()[2].status, FixStatus::kSingle);
+  EXPECT_EQ(drive.notices, (std::vector<std::string>{"fix.csv: 1 rows refused: no fix"}));
+  folder_.write("fix.csv", header + "0,50,10,1,0,1,-1\n");
+  EXPECT_EQ(failure(), folder_.path() + "/fix.csv: no fix");
+  folder_.write("fix.csv", header + "0,50,10,1,0,1,3\n");
+  EXPECT_EQ(failure(), folder_.path() + "/fix.csv:2: status is none of -1, 0, 1, 2");
+}
+
 TEST_F(ReadDrive, HeadingAndShadowCountWhereTheyAreGiven) {
   folder_.write("truth.csv", "t,lat_deg,lon_deg,yaw,shadow\n0,50,10,0.5,0\n1,50,10,0.7,1\n");
   const Drive drive = read_drive(folder_.path());

@@ -50,5 +50,14 @@ TEST(LoadSuite, ShippedOneHasEveryFaultOnTheSameWay) {
   }
 }
 
+TEST(LoadSuite, ConditionsAreSteeredOnTruthWithEstimatorsToldNothing) {
+  const std::vector<Scenario> rows = load_suite(std::string(CONFIG_DIR) + "/suites/conditions.yaml");
+  EXPECT_EQ(rows.size(), 23U);
+  for (const Scenario& row : rows) {
+    EXPECT_TRUE(row.steered_on_truth) << row.name;
+    EXPECT_TRUE(row.localization.IsNull()) << row.name;
+  }
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -32,6 +32,14 @@ TEST(ToFix, KeepsStampPlaceCovarianceAndLeverArm) {
   EXPECT_EQ(checked.fix.antenna_in_base, Eigen::Vector2d(0.3, 0.1));
 }
 
+TEST(ToFix, ClaimsTheStatusOfTheMessage) {
+  sensor_msgs::NavSatFix message = good_fix();
+  message.status.status = sensor_msgs::NavSatStatus::STATUS_GBAS_FIX;
+  EXPECT_EQ(to_fix(message, berlin(), FixParameters{}).fix.status, FixStatus::kGroundBased);
+  message.status.status = 17;  // that nobody knows
+  EXPECT_EQ(to_fix(message, berlin(), FixParameters{}).fix.status, FixStatus::kSingle);
+}
+
 TEST(ToFix, RefusesStampOfZero) {
   EXPECT_EQ(reason_after([](auto& f) { f.header.stamp = ros::Time(); }), Reason::kZeroStamp);
 }
@@ -123,6 +131,7 @@ TEST(ToMessage, IsUndoneByToFix) {
   fix.stamp = 100.5;
   fix.position = {1234.5, -876.25};
   fix.covariance << 4.0, 1.0, 1.0, 9.0;
+  fix.status = FixStatus::kSatelliteBased;
   std_msgs::Header header;
   header.stamp = ros::Time(100, 500000000);
   header.frame_id = "gps";
@@ -133,6 +142,7 @@ TEST(ToMessage, IsUndoneByToFix) {
   EXPECT_EQ(back.fix.stamp, fix.stamp);
   EXPECT_LT((back.fix.position - fix.position).norm(), 1e-6);
   EXPECT_EQ(back.fix.covariance, fix.covariance);
+  EXPECT_EQ(back.fix.status, fix.status);
 }
 
 TEST(ToDual, ReadsBothFixesWithTheirAntennas) {

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "multipath_localization/evaluation/drive_files.hpp"
+#include "multipath_localization/evaluation/random_drive.hpp"
+#include "temporary_folder.hpp"
+
+namespace multipath_localization {
+namespace {
+
+TEST(DriveFiles, GiveTheDriveBackThatWasWritten) {
+  const TemporaryFolder folder;
+  const Drive written = random_drive(7).drive;
+  write_drive(written, folder.path() + "/seven");
+  const Drive read = read_drive(folder.path() + "/seven");
+  ASSERT_EQ(read.odometry.size(), written.odometry.size());
+  for (std::size_t i = 0; i < read.odometry.size(); ++i) {
+    ASSERT_EQ(read.odometry[i].stamp, written.odometry[i].stamp);
+    ASSERT_EQ(read.odometry[i].duration, written.odometry[i].duration);
+    ASSERT_EQ(read.odometry[i].speed, written.odometry[i].speed);
+    ASSERT_EQ(read.odometry[i].yaw_rate, written.odometry[i].yaw_rate);
+  }
+  const std::vector<GnssFix> fixes = read.fixes();
+  const std::vector<GnssFix> before = written.fixes();
+  ASSERT_EQ(fixes.size(), before.size());
+  ASSERT_EQ(read.truth.size(), written.truth.size());
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    ASSERT_EQ(fixes[i].status, before[i].status);
+    ASSERT_EQ(fixes[i].covariance, before[i].covariance);
+    const Eigen::Vector2d error =
+        fixes[i].position - truth_at(read.truth, fixes[i].stamp)->base_in_map.position();
+    const Eigen::Vector2d expected =
+        before[i].position - truth_at(written.truth, fixes[i].stamp)->base_in_map.position();
+    ASSERT_NEAR((error - expected).norm(), 0.0, 0.01);  // another datum turns the map's north
+  }
+  EXPECT_EQ(read.truth.back().shadow, written.truth.back().shadow);
+}
+
+TEST(DriveFiles, FindsDrivesAndSaysWhatIsNone) {
+  const TemporaryFolder folder;
+  const Drive drive = random_drive(7).drive;
+  write_drive(drive, folder.path() + "/a");
+  write_drive(drive, folder.path() + "/b");
+  std::filesystem::remove(folder.path() + "/b/odometry.csv");
+  std::filesystem::create_directory(folder.path() + "/c");
+  const FoundDrives found = read_drives(folder.path(), 60.0);
+  ASSERT_EQ(found.drives.size(), 1u);
+  EXPECT_EQ(found.drives.front().name, "a");
+  EXPECT_EQ(found.left_out, (std::vector<std::string>{"b: no odometry.csv", "c: no truth.csv"}));
+  EXPECT_THROW(read_drives(folder.path(), 1e4), DriveError);  // all too short
+  EXPECT_THROW(read_drives(folder.path() + "/nowhere", 0.0), DriveError);
+}
+
+}  // namespace
+}  // namespace multipath_localization

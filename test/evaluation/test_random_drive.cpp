@@ -1,0 +1,43 @@
+#include <gtest/gtest.h>
+
+#include "multipath_localization/evaluation/random_drive.hpp"
+
+namespace multipath_localization {
+namespace {
+
+TEST(RandomDrive, IsTheSameForTheSameSeed) {
+  const RandomDrive a = random_drive(5);
+  const RandomDrive b = random_drive(5);
+  ASSERT_EQ(a.drive.odometry.size(), b.drive.odometry.size());
+  for (std::size_t i = 0; i < a.drive.odometry.size(); ++i) {
+    ASSERT_EQ(a.drive.odometry[i].speed, b.drive.odometry[i].speed);
+    ASSERT_EQ(a.drive.odometry[i].yaw_rate, b.drive.odometry[i].yaw_rate);
+  }
+  const std::vector<GnssFix> fixes = a.drive.fixes();
+  const std::vector<GnssFix> again = b.drive.fixes();
+  ASSERT_EQ(fixes.size(), again.size());
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    ASSERT_EQ(fixes[i].position, again[i].position);
+    ASSERT_EQ(fixes[i].covariance, again[i].covariance);
+  }
+}
+
+TEST(RandomDrive, HasTruthOfEveryFixAndOfEveryOneWhatIsWrongWithIt) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const RandomDrive made = random_drive(seed);
+    const std::vector<GnssFix> fixes = made.drive.fixes();
+    ASSERT_EQ(fixes.size(), made.fix_truths.size());
+    for (std::size_t i = 0; i < fixes.size(); ++i) {
+      const auto truth = truth_at(made.drive.truth, fixes[i].stamp);
+      ASSERT_TRUE(truth);
+      ASSERT_EQ(truth->stamp, fixes[i].stamp);
+      const bool shadow = made.fix_truths[i].fault == FixFault::kShadow;
+      ASSERT_TRUE(*truth->shadow || !shadow);
+    }
+    EXPECT_EQ(made.drive.odometry.size(), made.without_faults.size());
+    EXPECT_EQ(made.drive.name, "random_" + std::to_string(seed));
+  }
+}
+
+}  // namespace
+}  // namespace multipath_localization
