@@ -17,6 +17,8 @@ constexpr double kShortestBaseline = 0.01;
 constexpr std::size_t kX = 0, kY = 7, kYaw = 35, kXY = 1, kXYaw = 5, kYYaw = 11;       ///< in a row-major 6x6
 constexpr std::size_t kEast = 0, kEastNorth = 1, kNorthEast = 3, kNorth = 4, kUp = 8;  ///< in a row-major 3x3
 
+double length_of(const geometry_msgs::Quaternion& q) { return Eigen::Vector4d(q.x, q.y, q.z, q.w).norm(); }
+
 bool declares_none(const sensor_msgs::NavSatFix& message) {
   const auto& covariance = message.position_covariance;
   return message.position_covariance_type == sensor_msgs::NavSatFix::COVARIANCE_TYPE_UNKNOWN ||
@@ -143,11 +145,13 @@ std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose) {
   for (const double coordinate : {p.x, p.y, p.z}) {
     if (!(std::abs(coordinate) <= kFurthestPose)) return {};
   }
-  const double norm = Eigen::Vector4d(q.x, q.y, q.z, q.w).norm();
-  if (norm == 0.0) return Pose2{p.x, p.y, 0.0};
-  if (!(std::abs(norm - 1.0) <= 0.01)) return {};
-  return Pose2{p.x, p.y, std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+  if (!has_orientation(pose)) return Pose2{p.x, p.y, 0.0};
+  if (!(std::abs(length_of(q) - 1.0) <= kQuaternionTolerance)) return {};
+  const double sine = 2.0 * (q.w * q.z + q.x * q.y);
+  return Pose2{p.x, p.y, std::atan2(sine, q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z)};
 }
+
+bool has_orientation(const geometry_msgs::Pose& pose) { return length_of(pose.orientation) != 0.0; }
 
 geometry_msgs::Pose to_message(const Pose2& pose) {
   geometry_msgs::Pose message;
@@ -158,9 +162,20 @@ geometry_msgs::Pose to_message(const Pose2& pose) {
   return message;
 }
 
+std::string defect_of(const geometry_msgs::PoseWithCovarianceStamped& message) {
+  const geometry_msgs::Pose& pose = message.pose.pose;
+  const double length = length_of(pose.orientation);
+  const std::string number = std::to_string(length);
+  if (length == 0.0) return "its quaternion is all zero, which is no orientation";
+  if (!std::isfinite(length)) return "its quaternion is not finite";
+  if (std::abs(length - 1.0) > kQuaternionTolerance) return "its quaternion is " + number + " long, not 1";
+  if (!to_pose2(pose)) return "its position is not finite, or further off than any map reaches";
+  return to_prior(message) ? "" : "its covariance in x, y and yaw is not finite or none";
+}
+
 std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message) {
   const std::optional<Pose2> pose = to_pose2(message.pose.pose);
-  if (!pose) return {};
+  if (!pose || !has_orientation(message.pose.pose)) return {};
   const auto& covariance = message.pose.covariance;
   PosePrior prior;
   prior.stamp = message.header.stamp.toSec();

@@ -101,15 +101,22 @@ CheckedDual to_dual(const FixPair& message, const LocalFrame& map, const FixPara
 /// Root of the mean horizontal variance as the message declares it [m]; NaN where it declares none.
 double declared_sigma(const sensor_msgs::NavSatFix& message);
 
+/// By how much the length of a quaternion may differ from 1, as of one typed in with a digit or two.
+inline constexpr double kQuaternionTolerance = 0.03;
+
 /// x, y and yaw of a pose in space. A quaternion of four zeros, as drivers leave it that fill in no pose, is
-/// no turn. Nothing when a number is not finite, the quaternion is not of length one or the position is over
-/// kFurthestPose.
+/// no turn. Nothing when a number is not finite, the quaternion is not of length one, give or take
+/// kQuaternionTolerance, or the position is over kFurthestPose.
 std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose);
+/// Whether its quaternion is not of four zeros.
+bool has_orientation(const geometry_msgs::Pose& pose);
 geometry_msgs::Pose to_message(const Pose2& pose);
 
 /// A start from a pose with covariance; one of all zeros stands for 0.5 m, 0.5 m and 15 degrees. Nothing when
-/// that is no `usable` start.
+/// that is no `usable` start, or the quaternion is of four zeros.
 std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message);
+/// Why there is no start from it, what of the pose or the covariance cannot be used; empty where there is.
+std::string defect_of(const geometry_msgs::PoseWithCovarianceStamped& message);
 
 /// The pose of a child frame in its parent as the transform between them.
 geometry_msgs::Transform to_transform(const Pose2& child_in_parent);

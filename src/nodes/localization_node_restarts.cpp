@@ -39,7 +39,7 @@ bool LocalizationNode::set_pose(const geometry_msgs::PoseWithCovarianceStamped& 
     ROS_WARN("pose refused: it is given in %s, not in %s", shown(frame).c_str(),
              parameters_.frames.map_frame.c_str());
   } else if (!prior) {
-    ROS_WARN("pose refused: pose or covariance cannot be used");
+    ROS_WARN("pose refused: %s", defect_of(message).c_str());
   } else if (!datum_.map()) {
     ROS_WARN("pose refused: map has no datum yet; set the parameter datum or wait for the first fix");
   } else {

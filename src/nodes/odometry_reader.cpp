@@ -9,7 +9,7 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kFirstInterval = 1e-3;
+constexpr double kUneven = 1.8;          ///< times, by which an interval is longer than one of the same rate
 constexpr double kLeastSideways = 1e-9;  ///< beyond rounding [m]
 constexpr double kOfHalfTurn = 1.1;      ///< what may still come of the yaw at an end of the interval
 
@@ -61,8 +61,10 @@ OdometryReader::OdometryReader(const OdometryParameters& parameters, std::string
 
 void OdometryReader::clear() {
   last_pose_.reset();
-  last_stamp_.reset();
+  last_.reset();
   suspect_.reset();
+  last_duration_ = 0.0;
+  agreement_.clear();
 }
 
 CheckedOdometry OdometryReader::read(const nav_msgs::Odometry& message) {
@@ -73,8 +75,12 @@ CheckedOdometry OdometryReader::read(const nav_msgs::Odometry& message) {
   checked.reason = check_time(stamp, checked.restarted);
   if (checked.reason != Reason::kAccepted) return checked;
   if (checked.restarted) clear();
-  const Seen now{stamp, *to_pose2(message.pose.pose)};
+  const Seen now = seen(message);
   checked.base_in_odom = now.base_in_odom;
+  if (tells_no_turn(message, now)) {
+    checked.reason = Reason::kInvalidPosition;
+    return checked;
+  }
   checked.increment = motion(message, now);
   last_pose_ = now;
   if (ground_speed(checked.increment) > parameters_.max_speed ||
@@ -82,8 +88,22 @@ CheckedOdometry OdometryReader::read(const nav_msgs::Odometry& message) {
     checked.reason = Reason::kTooFast;
     return checked;
   }
-  last_stamp_ = stamp;
+  if (last_) last_duration_ = checked.increment.duration;
+  last_ = now;
   return checked;
+}
+
+OdometryReader::Seen OdometryReader::seen(const nav_msgs::Odometry& message) const {
+  const geometry_msgs::Twist& twist = message.twist.twist;
+  const double lateral_speed = parameters_.lateral ? twist.linear.y : 0.0;
+  return {{message.header.stamp.toSec(), twist.linear.x, twist.angular.z, lateral_speed},
+          *to_pose2(message.pose.pose),
+          has_orientation(message.pose.pose)};
+}
+
+bool OdometryReader::tells_no_turn(const nav_msgs::Odometry& message, const Seen& now) const {
+  if (now.oriented || !at_rest(message.twist.twist) || !last_pose_) return false;
+  return now.base_in_odom.position() != last_pose_->base_in_odom.position();
 }
 
 Reason OdometryReader::check_content(const nav_msgs::Odometry& message) const {
@@ -98,8 +118,8 @@ Reason OdometryReader::check_content(const nav_msgs::Odometry& message) const {
 }
 
 Reason OdometryReader::check_time(double stamp, bool& restarted) {
-  if (!last_stamp_) return Reason::kAccepted;
-  const double step = stamp - *last_stamp_;
+  if (!last_) return Reason::kAccepted;
+  const double step = stamp - last_->stamp();
   if (step > 0.0 && step <= parameters_.max_gap) {
     suspect_.reset();
     return Reason::kAccepted;
@@ -111,19 +131,27 @@ Reason OdometryReader::check_time(double stamp, bool& restarted) {
   return step > 0.0 ? Reason::kFutureStamp : Reason::kOldStamp;
 }
 
-OdometryIncrement OdometryReader::motion(const nav_msgs::Odometry& message, const Seen& now) const {
-  OdometryIncrement increment;
-  if (at_rest(message.twist.twist) && last_pose_ && now.stamp > last_pose_->stamp) {
-    increment = arc_to(inverse(last_pose_->base_in_odom) * now.base_in_odom, now.stamp - last_pose_->stamp);
-  } else {
-    increment.speed = message.twist.twist.linear.x;
-    increment.lateral_speed = message.twist.twist.linear.y;
-    increment.yaw_rate = message.twist.twist.angular.z;
+OdometryIncrement OdometryReader::motion(const nav_msgs::Odometry& message, const Seen& now) {
+  const TwistSample& twist = now.twist;
+  const double duration = last_ ? now.stamp() - last_->stamp() : kFirstInterval;
+  const OdometryIncrement by_latest = motion_of(twist, duration);
+  OdometryIncrement increment = by_latest;
+  if (last_ && is_steady(duration)) increment = motion_between(last_->twist, twist);
+  if (last_pose_ && last_pose_->oriented && now.oriented && now.stamp() > last_pose_->stamp()) {
+    const double step = now.stamp() - last_pose_->stamp();
+    OdometryIncrement by_pose = arc_to(inverse(last_pose_->base_in_odom) * now.base_in_odom, step);
+    if (!parameters_.lateral) by_pose.lateral_speed = 0.0;
+    if (at_rest(message.twist.twist) || agreement_.agrees(by_pose, motion_of(twist, step)))
+      increment = by_pose;
   }
-  increment.stamp = now.stamp;
-  increment.duration = last_stamp_ ? now.stamp - *last_stamp_ : kFirstInterval;
-  if (!parameters_.lateral) increment.lateral_speed = 0.0;
+  increment.stamp = now.stamp();
+  increment.duration = duration;
   return increment;
+}
+
+bool OdometryReader::is_steady(double duration) const {
+  return last_duration_ == 0.0 ||
+         std::max(duration, last_duration_) < kUneven * std::min(duration, last_duration_);
 }
 
 }  // namespace multipath_localization

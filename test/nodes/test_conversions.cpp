@@ -232,6 +232,29 @@ TEST(ToPrior, TakesXYYawOutOfSixBySix) {
   EXPECT_FALSE(to_prior(message));
 }
 
+TEST(ToPose2, TakesAQuaternionTypedInWithADigit) {
+  geometry_msgs::Pose pose;
+  pose.orientation.z = pose.orientation.w = 0.7;
+  ASSERT_TRUE(to_pose2(pose));
+  EXPECT_NEAR(to_pose2(pose)->yaw, 0.5 * kPi, 1e-12);
+  pose.orientation.z = 0.5;
+  EXPECT_FALSE(to_pose2(pose));
+}
+
+TEST(DefectOf, SaysWhatOfAStartCannotBeUsed) {
+  geometry_msgs::PoseWithCovarianceStamped message;
+  EXPECT_EQ(defect_of(message), "its quaternion is all zero, which is no orientation");
+  EXPECT_FALSE(to_prior(message));
+  message.pose.pose.orientation.w = 0.5;
+  EXPECT_NE(defect_of(message).find("its quaternion is 0.5"), std::string::npos);
+  message.pose.pose.orientation.w = 1.0;
+  EXPECT_EQ(defect_of(message), "");
+  message.pose.covariance[0] = -1.0;
+  EXPECT_NE(defect_of(message).find("covariance"), std::string::npos);
+  message.pose.pose.position.x = kNan;
+  EXPECT_NE(defect_of(message).find("position"), std::string::npos);
+}
+
 TEST(WithMotion, CarriesWhatWasReadAndNothingThatIsNotFinite) {
   nav_msgs::Odometry odometry;
   odometry.twist.twist.linear.z = kNan;

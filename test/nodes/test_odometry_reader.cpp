@@ -23,15 +23,71 @@ nav_msgs::Odometry message(double stamp, double speed = 0.0, double yaw_rate = 0
 
 OdometryReader reader() { return OdometryReader(OdometryParameters{}, "map"); }
 
-TEST(OdometryReader, TakesTheTwistOverTheTimeSinceTheMessageBefore) {
+TEST(OdometryReader, TakesTheMeanOfTwoTwistsOverTheTimeBetweenThem) {
   OdometryReader odometry = reader();
   EXPECT_EQ(odometry.read(message(10.0, 1.0)).reason, Reason::kAccepted);
   const CheckedOdometry checked = odometry.read(message(10.5, -2.0, 0.25));
   ASSERT_EQ(checked.reason, Reason::kAccepted);
   EXPECT_EQ(checked.increment.stamp, 10.5);
   EXPECT_NEAR(checked.increment.duration, 0.5, 1e-9);
-  EXPECT_EQ(checked.increment.speed, -2.0);
-  EXPECT_EQ(checked.increment.yaw_rate, 0.25);
+  EXPECT_EQ(checked.increment.speed, -0.5);
+  EXPECT_EQ(checked.increment.yaw_rate, 0.125);
+}
+
+TEST(OdometryReader, TakesTheLaterTwistWhereTheIntervalIsNotLikeTheOneBefore) {
+  OdometryReader odometry = reader();
+  odometry.read(message(10.0, 0.1));
+  odometry.read(message(10.075, 0.1));
+  EXPECT_EQ(odometry.read(message(10.078, 2.5)).increment.speed, 2.5) << "in a burst, by times of arrival";
+  EXPECT_EQ(odometry.read(message(10.153, 0.1)).increment.speed, 0.1);
+}
+
+/// Way and turn read of `seconds` at 1 m/s, the poses `scale` times as far, from time 10 on.
+double way_read(OdometryReader& odometry, double seconds, double scale, double twist, bool burst = false) {
+  double way = 0.0, x = 0.0;
+  double before = 10.0;
+  for (int i = 1; i <= std::lround(seconds / 0.02); ++i) {
+    const double on_time = 10.0 + 0.02 * i;
+    const double stamp = burst ? on_time - 0.019 * ((i - 1) % 5) * 0.9 : on_time;
+    x += scale * 0.02;
+    const double said = burst ? twist * 0.02 / (stamp - before) : twist;
+    const CheckedOdometry checked = odometry.read(message(stamp, said, 0.0, {x, 0.0, 0.0}));
+    if (checked.reason != Reason::kAccepted) continue;
+    before = stamp;
+    way += checked.increment.speed * checked.increment.duration;
+  }
+  return way;
+}
+
+TEST(OdometryReader, GoesByThePosesWhereTheyAreTheTwistsMotion) {
+  OdometryReader alike = reader();
+  EXPECT_NEAR(way_read(alike, 40.0, 1.0, 1.05), 40.0 + 0.05, 0.02) << "but for the first second";
+  OdometryReader far = reader();
+  EXPECT_NEAR(way_read(far, 40.0, 1.5, 1.0), 40.0, 0.02) << "the poses are something else";
+  OdometryReader none = reader();
+  EXPECT_NEAR(way_read(none, 40.0, 0.0, 1.0), 40.0, 0.02) << "nobody fills in the pose";
+}
+
+TEST(OdometryReader, APoseThatWasSetAnewIsNoMotion) {
+  OdometryReader odometry = reader();
+  way_read(odometry, 10.0, 1.0, 1.0);
+  const CheckedOdometry jumped = odometry.read(message(20.02, 1.0, 0.0, {0.3, 0.0, 0.0}));
+  EXPECT_EQ(jumped.reason, Reason::kAccepted);
+  EXPECT_EQ(jumped.increment.speed, 1.0);
+  EXPECT_EQ(odometry.read(message(20.04, 1.0, 0.0, {0.32, 0.0, 0.0})).increment.speed, 1.0);
+}
+
+TEST(OdometryReader, APoseWithoutOrientationIsNoMotion) {
+  OdometryReader odometry = reader();
+  const auto bare = [](double stamp, double speed, double x) {
+    nav_msgs::Odometry said = message(stamp, speed, 0.0, {x, 0.0, 0.0});
+    said.pose.pose.orientation.w = 0.0;
+    return said;
+  };
+  EXPECT_EQ(odometry.read(bare(10.0, 0.0, 0.0)).reason, Reason::kAccepted) << "stands";
+  EXPECT_EQ(odometry.read(bare(10.1, 0.0, 0.1)).reason, Reason::kInvalidPosition)
+      << "moves, and who knows how";
+  EXPECT_EQ(odometry.read(bare(10.2, 1.0, 0.2)).reason, Reason::kAccepted) << "the twist tells";
 }
 
 TEST(OdometryReader, TakesPoseDifferencesWhereTheTwistIsEmpty) {
