@@ -23,6 +23,7 @@ class Replay {
       const double measurement = next_measurement_arrival();
       if (std::min(odometry, measurement) > stamp) break;
       if (odometry <= measurement) {
+        restart_at(odometry);
         localizer_.add(drive_.odometry[next_odometry_++]);
       } else {
         localizer_.add(drive_.measurements[next_measurement_++].measurement);
@@ -48,8 +49,15 @@ class Replay {
     return drive_.measurements[next_measurement_].arrival;
   }
 
+  void restart_at(double stamp) {
+    if (next_restart_ == drive_.restarts.size() || drive_.restarts[next_restart_] > stamp) return;
+    ++next_restart_;
+    localizer_.start(std::nullopt);
+  }
+
   const Drive& drive_;
   Localizer& localizer_;
+  std::size_t next_restart_ = 0;
   std::size_t next_odometry_ = 0;
   std::size_t next_measurement_ = 0;
 };

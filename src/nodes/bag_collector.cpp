@@ -10,17 +10,25 @@ namespace multipath_localization {
 
 void BagCollector::take(const rosbag::MessageInstance& message) {
   const std::string& topic = message.getTopic();
-  if (without_slash(topic) == "tf_static") add(*message.instantiate<tf2_msgs::TFMessage>());
-  if (topic == topics_.odometry) add(*message.instantiate<nav_msgs::Odometry>());
+  if (without_slash(topic) == "tf_static") add(read<tf2_msgs::TFMessage>(message));
+  if (topic == topics_.odometry) add(read<nav_msgs::Odometry>(message));
   if (topic == topics_.truth) take_truth(message);
   if (topic == topics_.shadow) {
-    const auto bias = message.instantiate<geometry_msgs::Vector3Stamped>();
-    shadows_[bias->header.stamp.toSec()] = bias->vector.z > 0.5;
+    const auto bias = read<geometry_msgs::Vector3Stamped>(message);
+    shadows_[bias.header.stamp.toSec()] = bias.vector.z > 0.5;
   }
-  if (topic == topics_.fix) add(*message.instantiate<sensor_msgs::NavSatFix>());
-  if (topic == topics_.epoch) add(*message.instantiate<GnssEpoch>());
-  if (topic == topics_.left) add(FixPairing::Side::kLeft, *message.instantiate<sensor_msgs::NavSatFix>());
-  if (topic == topics_.right) add(FixPairing::Side::kRight, *message.instantiate<sensor_msgs::NavSatFix>());
+  if (topic == topics_.fix) add(read<sensor_msgs::NavSatFix>(message));
+  if (topic == topics_.epoch) add(read<GnssEpoch>(message));
+  if (topic == topics_.left) add(FixPairing::Side::kLeft, read<sensor_msgs::NavSatFix>(message));
+  if (topic == topics_.right) add(FixPairing::Side::kRight, read<sensor_msgs::NavSatFix>(message));
+}
+
+template <class Message>
+Message BagCollector::read(const rosbag::MessageInstance& message) const {
+  if (const auto known = message.instantiate<Message>()) return *known;
+  const std::string wanted = ros::message_traits::datatype<Message>();
+  const std::string is = file_ + ": " + message.getTopic() + " is a " + message.getDataType();
+  throw DriveError(message.getDataType() == wanted ? is + " of another version" : is + ", not a " + wanted);
 }
 
 void BagCollector::finish() {
@@ -62,9 +70,19 @@ std::vector<std::string> BagCollector::refusals() const {
 void BagCollector::add(const nav_msgs::Odometry& message) {
   const CheckedOdometry checked = reader_.read(message);
   if (!passes(topics_.odometry, checked.reason)) return;
-  if (checked.restarted) throw DriveError(file_ + ": " + topics_.odometry + " jumps in time");
+  if (checked.restarted) note_restart(checked.increment.stamp);
   odometry_.push_back(checked.increment);
   base_frame_ = without_slash(message.child_frame_id);
+}
+
+void BagCollector::note_restart(double stamp) {
+  if (odometry_.empty()) return;
+  const double last = odometry_.back().stamp;
+  if (stamp < last) {
+    throw DriveError(file_ + ": " + topics_.odometry + " goes back in time, from " + std::to_string(last) +
+                     " to " + std::to_string(stamp) + ": cut the bag there with rosbag filter");
+  }
+  silences_.push_back({last, stamp});
 }
 
 void BagCollector::add(const GnssMessage& message) {
@@ -86,10 +104,12 @@ void BagCollector::add(const tf2_msgs::TFMessage& message) {
 }
 
 void BagCollector::take_truth(const rosbag::MessageInstance& message) {
-  const auto pose = message.instantiate<geometry_msgs::PoseStamped>();
-  const auto odometry = message.instantiate<nav_msgs::Odometry>();
-  if (pose) add_truth(pose->header, pose->pose);
-  if (odometry) add_truth(odometry->header, odometry->pose.pose);
+  if (message.getDataType() == ros::message_traits::datatype<nav_msgs::Odometry>()) {
+    const auto odometry = read<nav_msgs::Odometry>(message);
+    return add_truth(odometry.header, odometry.pose.pose);
+  }
+  const auto pose = read<geometry_msgs::PoseStamped>(message);
+  add_truth(pose.header, pose.pose);
 }
 
 void BagCollector::add_truth(const std_msgs::Header& header, const geometry_msgs::Pose& message) {

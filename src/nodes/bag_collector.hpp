@@ -24,12 +24,18 @@ struct ReceivedMessage {
   double arrival = 0.0;  ///< stamp of the last odometry before it [s]
 };
 
+struct Silence {
+  double begin = 0.0;  ///< stamp of the last message before [s]
+  double end = 0.0;    ///< and of the first that is used after [s]
+};
+
 /// Collects a bag's messages in the order they were recorded, as the localization node would take them.
 class BagCollector {
  public:
   BagCollector(std::string file, const BagTopics& topics) : file_(std::move(file)), topics_(topics) {}
 
-  /// Throws DriveError when odometry jumps in time.
+  /// Throws DriveError when odometry goes back in time, and for messages of a type or of a version of it that
+  /// cannot be read.
   void take(const rosbag::MessageInstance& message);
   /// There are no more: gives up what is still without its other half.
   void finish();
@@ -44,15 +50,20 @@ class BagCollector {
   /// The datum of truth's frame, nothing when the bag's static transforms do not tell.
   [[nodiscard]] std::optional<Geodetic> datum() const;
   [[nodiscard]] const std::vector<OdometryIncrement>& odometry() const { return odometry_; }
+  /// Where odometry was silent for so long that the localization node starts afresh.
+  [[nodiscard]] const std::vector<Silence>& silences() const { return silences_; }
   [[nodiscard]] const std::vector<ReceivedMessage>& received() const { return received_; }
   /// "TOPIC: REASON, N times" for what was left out.
   [[nodiscard]] std::vector<std::string> refusals() const;
 
  private:
+  template <class Message>
+  [[nodiscard]] Message read(const rosbag::MessageInstance& message) const;
   void add(const nav_msgs::Odometry& message);
   void add(const GnssMessage& message);
   void add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix);
   void add(const tf2_msgs::TFMessage& message);
+  void note_restart(double stamp);
   void take_truth(const rosbag::MessageInstance& message);
   void add_truth(const std_msgs::Header& header, const geometry_msgs::Pose& message);
   void give_up(const sensor_msgs::NavSatFix& fix);
@@ -69,6 +80,7 @@ class BagCollector {
   tf2::BufferCore tf_;
   std::string base_frame_, truth_frame_;
   std::vector<OdometryIncrement> odometry_;
+  std::vector<Silence> silences_;
   std::vector<ReceivedMessage> received_;
   std::map<double, Pose2> truth_;
   std::map<double, bool> shadows_;

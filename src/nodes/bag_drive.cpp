@@ -1,6 +1,5 @@
 #include "nodes/bag_drive.hpp"
 
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 
 #include "multipath_localization/evaluation/metrics.hpp"
 #include "nodes/bag_collector.hpp"
+#include "nodes/bag_file.hpp"
 
 namespace multipath_localization {
 
@@ -108,30 +108,45 @@ void read_measurements(BagCollector& bag, Drive& drive) {
   }
 }
 
+void note_silences(const std::vector<Silence>& silences, Drive& drive) {
+  constexpr std::size_t kNamed = 5;
+  for (const Silence& silence : silences) {
+    drive.restarts.push_back(silence.end);
+    if (drive.restarts.size() > kNamed) continue;
+    char text[200];
+    std::snprintf(
+        text, sizeof(text),
+        "no odometry for %.1f s from %.2f on (%.1f s from the start): the localization starts afresh "
+        "after it, as the node's does",
+        silence.end - silence.begin, silence.begin, silence.begin - drive.odometry.front().stamp);
+    drive.notices.emplace_back(text);
+  }
+  if (silences.size() > kNamed)
+    drive.notices.push_back(std::to_string(silences.size() - kNamed) + " more such silences of odometry");
+}
+
 }  // namespace
 
 Drive read_bag(const std::string& file, const BagTopics& topics, const std::optional<Geodetic>& datum) {
-  try {
-    const rosbag::Bag bag(file);
+  Drive drive;
+  with_bag(file, [&](const rosbag::Bag& bag) {
     BagCollector collector(file, find_topics(bag, file, topics));
     for (const rosbag::MessageInstance& message : rosbag::View(bag)) collector.take(message);
     collector.finish();
     if (collector.odometry().empty()) throw DriveError(file + ": no usable odometry");
     if (collector.received().empty()) throw DriveError(file + ": no usable fix or epoch");
 
-    Drive drive;
     drive.name = std::filesystem::path(file).stem().string();
     drive.odometry = collector.odometry();
+    note_silences(collector.silences(), drive);
     drive.truth = collector.truth();
     if (drive.truth.empty()) drive.notices.emplace_back("no truth: nothing is scored");
     drive.datum = choose_datum(collector, datum, drive);
     read_measurements(collector, drive);
     const std::vector<std::string> refusals = collector.refusals();
     drive.notices.insert(drive.notices.end(), refusals.begin(), refusals.end());
-    return drive;
-  } catch (const rosbag::BagException& error) {
-    throw DriveError(file + ": " + error.what());
-  }
+  });
+  return drive;
 }
 
 }  // namespace multipath_localization

@@ -10,8 +10,9 @@ namespace multipath_localization {
 
 /// Reads a bag as a drive. Names go with or without leading slash; stamps are those of the headers, a
 /// measurement arrives at the stamp of the last odometry recorded before it. Messages no node would use are
-/// left out and counted in a notice. Antennas are where static transforms have them; a lone one of an unknown
-/// frame is taken to be at the base.
+/// left out and counted in a notice. After a silence of odometry for which the node starts afresh the drive
+/// has a restart and a notice says where. Antennas are where static transforms have them; a lone one of an
+/// unknown frame is taken to be at the base.
 ///
 /// Truth is scored in its own frame. Its datum, if not given, is told by a static transform earth -> that
 /// frame. Without one it is the datum for which the median over the fixes in open sky of fix - truth is zero,

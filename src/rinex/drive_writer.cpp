@@ -10,6 +10,8 @@
 
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/plain_numbers.hpp"
+#include "multipath_localization/models/doppler_velocity.hpp"
+#include "multipath_localization/rinex/fix_chain.hpp"
 
 namespace multipath_localization {
 
@@ -22,7 +24,7 @@ constexpr std::string_view kPseudorangeColumns =
     "sat_vz\n";
 constexpr std::string_view kFixColumns =
     "t,lat_deg,lon_deg,alt_m,cov_ee_m2,cov_en_m2,cov_nn_m2,cov_uu_m2,num_sat,clock_m,isb_glo_m,isb_gal_m,"
-    "isb_bds_m,isb_qzs_m,wrss,dof\n";
+    "isb_bds_m,isb_qzs_m,wrss,dof,status\n";
 
 std::string known_number(double value, int digits) {
   return std::isfinite(value) ? fixed_text(value, digits) : "";
@@ -48,7 +50,7 @@ void write_satellite(std::ostream& out, double t, const TrackedSatellite& tracke
   out << "\n";
 }
 
-void write_fix(std::ostream& out, double t, const PointFix& fix) {
+void write_fix(std::ostream& out, double t, const PointFix& fix, int status) {
   const PseudorangeSolution& solution = fix.solution;
   const Eigen::Matrix3d& P = solution.covariance;
   out << fixed_text(t, 7) << "," << fixed_text(fix.antenna.latitude_deg, 9) << ","
@@ -62,6 +64,8 @@ void write_fix(std::ostream& out, double t, const PointFix& fix) {
     out << "," << known_number(clock(other) - gps, 4);
   }
   out << "," << plain_text(solution.weighted_square_sum) << "," << solution.degrees_of_freedom << "\n";
+  out << "," << short_number(solution.weighted_square_sum) << "," << solution.degrees_of_freedom << ","
+      << status << "\n";
 }
 
 std::string description(const DriveSource& source) {
@@ -108,11 +112,32 @@ void DriveWriter::add(const CorrectedEpoch& epoch) {
   for (std::size_t i = 0; i < epoch.satellites.size(); ++i) {
     write_satellite(pseudoranges_, t, epoch.satellites[i], epoch.observations[i]);
   }
-  if (epoch.plain) write_fix(plain_, t, *epoch.plain);
-  if (epoch.robust) write_fix(robust_, t, *epoch.robust);
+  if (!epoch.plain && !epoch.robust) return;
+  const PointFix& best = epoch.robust ? *epoch.robust : *epoch.plain;
+  const auto velocity = doppler_velocity(epoch.observations, best.solution.position);
+  const double speed = velocity ? velocity->velocity.norm() : SatelliteObservation::kUnknown;
+  if (epoch.plain) plain_rows_.push_back({t, speed, *epoch.plain});
+  if (epoch.robust) robust_rows_.push_back({t, speed, *epoch.robust});
+}
+
+std::vector<double> DriveWriter::write(const std::vector<Row>& rows, std::ostream& out) {
+  std::vector<ChainLink> links;
+  for (const Row& row : rows) {
+    links.push_back(
+        {row.t, LocalFrame(row.fix.antenna).origin(), row.speed, row.fix.solution.degrees_of_freedom});
+  }
+  const std::vector<bool> on_it = on_its_way(links);
+  std::vector<double> off;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    write_fix(out, rows[i].t, rows[i].fix, on_it[i] ? 0 : -1);
+    if (!on_it[i]) off.push_back(rows[i].t);
+  }
+  return off;
 }
 
 void DriveWriter::close() {
+  write(plain_rows_, plain_);
+  off_the_way_ = write(robust_rows_, robust_);
   for (std::ofstream* file : {&pseudoranges_, &plain_, &robust_}) file->close();
   if (!pseudoranges_ || !plain_ || !robust_)
     throw RinexError(directory_ + ": could not be written to its end");

@@ -19,8 +19,12 @@ const SatelliteId& satellite_of(const Ephemeris& ephemeris) {
   return std::visit([](const auto& e) -> const SatelliteId& { return e.satellite; }, ephemeris);
 }
 
+GnssTime reference_of(const Ephemeris& ephemeris) {
+  return std::visit([](const auto& e) { return e.reference; }, ephemeris);
+}
+
 double distance(const Ephemeris& ephemeris, const GnssTime& time) {
-  return std::abs(std::visit([&](const auto& e) { return e.reference - time; }, ephemeris));
+  return std::abs(reference_of(ephemeris) - time);
 }
 
 std::optional<double> sent(const Ephemeris& ephemeris) {
@@ -41,11 +45,11 @@ bool possible(const Ephemeris& ephemeris) {
   return std::visit([](const auto& e) { return possible(e); }, ephemeris);
 }
 
-double carrier_frequency(const Ephemeris& ephemeris) {
+double carrier_frequency(const Ephemeris& ephemeris, bool b1c) {
   if (const auto* glonass = std::get_if<GlonassOrbit>(&ephemeris)) {
     return kGlonassL1 + glonass->channel * kGlonassStep;
   }
-  return satellite_of(ephemeris).constellation == Constellation::kBeidou ? kB1I : kL1Frequency;
+  return satellite_of(ephemeris).constellation == Constellation::kBeidou && !b1c ? kB1I : kL1Frequency;
 }
 
 double group_delay(const Ephemeris& ephemeris) {
@@ -55,6 +59,9 @@ double group_delay(const Ephemeris& ephemeris) {
 
 void Ephemerides::add(const Ephemeris& ephemeris) {
   by_satellite_[satellite_of(ephemeris)].push_back(ephemeris);
+  const GnssTime reference = reference_of(ephemeris);
+  if (!span_) span_ = {reference, reference};
+  span_ = {std::min(span_->first, reference), std::max(span_->second, reference)};
 }
 
 const Ephemeris* Ephemerides::find(const SatelliteId& satellite, const GnssTime& time) const {

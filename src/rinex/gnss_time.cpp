@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <tuple>
 
 namespace multipath_localization {
 
@@ -65,6 +67,10 @@ bool exists(const CalendarTime& time) {
 
 }  // namespace
 
+bool operator<(const GnssTime& a, const GnssTime& b) {
+  return std::tie(a.week, a.second) < std::tie(b.week, b.second);
+}
+
 GnssTime operator+(const GnssTime& time, double seconds) {
   const double second = time.second + seconds;
   const double weeks = std::floor(second / kSecondsOfWeek);
@@ -86,6 +92,20 @@ std::optional<GnssTime> gps_time(const CalendarTime& time, TimeScale scale, std:
   if (scale == TimeScale::kUtc)
     return reading + leap_seconds.value_or(leap_seconds_at(reading + -time.second));
   return scale == TimeScale::kBeidou ? reading + kBeidouSeconds : reading;
+}
+
+std::string to_text(const GnssTime& time) {
+  const auto second_of_day = static_cast<int>(std::fmod(time.second, kSecondsOfDay));
+  int days = kDaysToGpsEpoch + 7 * time.week + static_cast<int>(time.second / kSecondsOfDay);
+  int year = 1970 + days / 366;
+  while (days_since_1970(year + 1, 1, 1) <= days) ++year;
+  int month = 12;
+  while (days_since_1970(year, month, 1) > days) --month;
+  days -= days_since_1970(year, month, 1);
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02d-%02d %02d:%02d:%02d", year, month, days + 1,
+                second_of_day / 3600, second_of_day / 60 % 60, second_of_day % 60);
+  return text.data();
 }
 
 int leap_seconds_at(const GnssTime& utc) {

@@ -12,20 +12,26 @@ namespace {
 
 constexpr std::size_t kLongestLine = 20000;  // 999 kinds of observations of 16 columns each
 
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+constexpr std::size_t kShortestLabel = 9;  // that still tells
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' ');
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// With its newline, which the last line may lack; up to one more character than a line may have: no file
-/// makes this read a gigabyte.
+/// With its newline, which the last line may lack. What is too long is not kept: no file fills the memory.
 void read_line(std::istream& in, std::string& line) {
   line.clear();
   for (int c = in.get(); c != std::istream::traits_type::eof(); c = in.get()) {
-    line += static_cast<char>(c);
-    if (c == '\n' || line.size() > kLongestLine) return;
+    if (c == '\n' || line.size() < kLongestLine) line += static_cast<char>(c);
+    if (c == '\n') return;
   }
+}
+
+void drop_end(std::string& line, const char* characters) {
+  line.erase(line.find_last_not_of(characters) + 1);
 }
 
 }  // namespace
@@ -51,11 +57,10 @@ bool LineReader::read() {
   if (in_.bad()) throw error("cannot be read beyond this line");
   if (line_.empty()) return false;
   ++number_;
-  if (line_.size() > kLongestLine) throw error("a line of over 20000 characters");
   cut_ = line_.back() != '\n';
-  if (!cut_) line_.pop_back();
-  if (!line_.empty() && line_.back() == '\r') line_.pop_back();
-  return true;
+  drop_end(line_, "\r\n\x1a");
+  if (line_.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) line_.erase(0, kByteOrderMark.size());
+  return !(cut_ && line_.empty());
 }
 
 void LineReader::require_next(const char* within) {
@@ -90,14 +95,30 @@ int LineReader::integer(std::size_t first, std::size_t width) const {
   return static_cast<int>(*value);
 }
 
-RinexError LineReader::error(const std::string& reason) const {
-  return RinexError(file_ + ":" + std::to_string(kept_ ? number_ - 1 : number_) + ": " + reason);
+bool LineReader::labelled(const std::string& label) const {
+  const std::string found = text(60, 20);
+  return found == label || (found.size() >= kShortestLabel && label.compare(0, found.size(), found) == 0);
 }
+
+void LineReader::move(std::size_t from, std::size_t to) {
+  if (from < to) line_.insert(from, to - from, ' ');
+  if (from > to) line_.erase(to, from - to);
+}
+
+RinexError LineReader::error(std::size_t line, const std::string& reason) const {
+  return RinexError(file_ + ":" + std::to_string(line) + ": " + reason);
+}
+
+bool begins_file(const LineReader& in) { return in.labelled("RINEX VERSION / TYPE"); }
 
 FileKind read_kind(LineReader& in) {
   in.require_next("its first line");
-  if (in.label().rfind("CRINEX", 0) == 0) throw in.error("compressed by Hatanaka's method; expand it first");
-  if (in.label() != "RINEX VERSION / TYPE") throw in.error("not a RINEX file");
+  return kind_of(in);
+}
+
+FileKind kind_of(const LineReader& in) {
+  if (in.labelled("CRINEX VERS   / TYPE")) throw in.error("compressed by Hatanaka's method; expand it first");
+  if (!begins_file(in)) throw in.error("not a RINEX file");
   FileKind kind;
   kind.version = in.number(0, 9).value_or(0.0);
   const bool known =

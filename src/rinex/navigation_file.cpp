@@ -1,5 +1,7 @@
 #include "multipath_localization/rinex/navigation_file.hpp"
 
+#include <cctype>
+
 #include "multipath_localization/rinex/line_reader.hpp"
 #include "multipath_localization/rinex/navigation_message.hpp"
 
@@ -23,20 +25,18 @@ class NavigationReader {
  public:
   NavigationReader(const std::string& file, Navigation& navigation)
       : in_(file), kind_(read_kind(in_)), navigation_(navigation) {
-    const bool known = kind_.version_2() ? constellation_of_type(kind_.type).has_value() : kind_.type == 'N';
-    if (!known) throw in_.error(std::string("type '") + kind_.type + "' is no navigation that is read");
+    check_kind();
   }
 
   void read() {
-    for (in_.require_next("its header"); in_.label() != "END OF HEADER"; in_.require_next("its header")) {
-      read_header_line();
-    }
-    for (const KlobucharCoefficients& ionosphere : {gps_, qzss_}) {
-      if (!navigation_.ionosphere && complete(ionosphere)) navigation_.ionosphere = ionosphere;
-    }
+    read_header();
     try {
       while (in_.next()) {
-        if (!in_.text(0, 80).empty()) read_message();
+        if (begins_file(in_)) {
+          read_joined_file();
+        } else if (!in_.text(0, 80).empty()) {
+          read_message();
+        }
       }
     } catch (const UnexpectedEnd& end) {
       navigation_.left_out.emplace_back(end.what());
@@ -44,12 +44,47 @@ class NavigationReader {
   }
 
  private:
+  void check_kind() const {
+    const bool known = kind_.version_2() ? constellation_of_type(kind_.type).has_value() : kind_.type == 'N';
+    if (!known) throw in_.error(std::string("type '") + kind_.type + "' is no navigation that is read");
+  }
+
+  /// From the line after the first.
+  void read_header() {
+    for (in_.require_next("its header"); !in_.labelled("END OF HEADER"); in_.require_next("its header")) {
+      try {
+        read_header_line();
+      } catch (const RinexError& error) {
+        navigation_.left_out.emplace_back(error.what());
+      }
+    }
+    for (const KlobucharCoefficients& ionosphere : {gps_, qzss_}) {
+      if (!navigation_.ionosphere && complete(ionosphere)) navigation_.ionosphere = ionosphere;
+    }
+  }
+
+  /// One that was joined to the one before, and is left out where its header cannot be used.
+  void read_joined_file() {
+    try {
+      kind_ = kind_of(in_);
+      check_kind();
+      read_header();
+    } catch (const UnexpectedEnd&) {
+      throw;
+    } catch (const RinexError& error) {
+      navigation_.left_out.emplace_back(error.what());
+      while (in_.next() && !begins_file(in_)) {
+      }
+      in_.put_back();
+    }
+  }
+
   void read_header_line() {
-    const std::string label = in_.label();
-    if (label == "LEAP SECONDS" && in_.text(24, 3) != "BDS") leap_seconds_ = in_.integer(0, 6);
-    const std::string name = label == "IONOSPHERIC CORR" ? in_.text(0, 4) : label;
-    if (name == "ION ALPHA") gps_.alpha = coefficients(2);
-    if (name == "ION BETA") gps_.beta = coefficients(2);
+    if (in_.labelled("LEAP SECONDS") && in_.text(24, 3) != "BDS") leap_seconds_ = in_.integer(0, 6);
+    if (in_.labelled("ION ALPHA")) gps_.alpha = coefficients(2);
+    if (in_.text(60, 20) == "ION BETA") gps_.beta = coefficients(2);
+    if (!in_.labelled("IONOSPHERIC CORR")) return;
+    const std::string name = in_.text(0, 4);
     if (name == "GPSA") gps_.alpha = coefficients(5);
     if (name == "GPSB") gps_.beta = coefficients(5);
     if (name == "QZSA") qzss_.alpha = coefficients(5);
@@ -64,15 +99,22 @@ class NavigationReader {
     return all;
   }
 
+  /// What version 2 says once for all messages; nothing for a message that names its system itself, as those
+  /// of version 3 do, and some writers' in files that they call version 2.
+  [[nodiscard]] std::optional<Constellation> constellation_of_file() const {
+    const bool named = std::isalpha(static_cast<unsigned char>(in_.columns(0, 1).front())) != 0;
+    return kind_.version_2() && !named ? constellation_of_type(kind_.type) : std::nullopt;
+  }
+
   /// SBAS and NavIC.
   [[nodiscard]] bool passed_over() const {
     const char letter = in_.columns(0, 1).front();
-    return !kind_.version_2() && (letter == 'S' || letter == 'I');
+    return letter == 'S' || letter == 'I';
   }
 
   /// A message that cannot be used is left out to its last line.
   void read_message() {
-    const auto constellation = kind_.version_2() ? constellation_of_type(kind_.type) : std::nullopt;
+    const auto constellation = constellation_of_file();
     std::optional<NavigationMessage> message;
     if (!passed_over()) attempt(message, [&] { message.emplace(in_, constellation); });
     while (next_is_continuation()) {
@@ -108,7 +150,9 @@ class NavigationReader {
     return false;
   }
 
-  [[nodiscard]] bool continues() const { return in_.text(0, 3).empty() && !in_.text(0, 80).empty(); }
+  [[nodiscard]] bool continues() const {
+    return in_.text(0, 3).empty() && !in_.text(0, 80).empty() && !begins_file(in_);
+  }
 
   LineReader in_;
   FileKind kind_;

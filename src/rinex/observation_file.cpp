@@ -1,210 +1,219 @@
 #include "multipath_localization/rinex/observation_file.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <set>
-#include <string_view>
+#include <iterator>
 
-#include "multipath_localization/rinex/line_reader.hpp"
-#include "multipath_localization/rinex/observation_header.hpp"
+#include "multipath_localization/rinex/epoch_line.hpp"
+#include "multipath_localization/rinex/epoch_order.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
-constexpr std::size_t kCell = 16;        // columns: a number of 14, loss of lock, strength
 constexpr std::size_t kCellsOfLine = 5;  // in version 2
-constexpr std::size_t kSatellitesOfLine = 12;
-constexpr int kMostRecords = 999;
 
-/// Codes of a system in the order in which they are taken.
-std::vector<std::string> codes(Constellation constellation, bool version_2) {
-  const bool beidou = constellation == Constellation::kBeidou;
-  if (version_2) return beidou ? std::vector<std::string>{"C2"} : std::vector<std::string>{"C1", "P1"};
-  switch (constellation) {
-    case Constellation::kGps: return {"C1C", "C1X", "C1L", "C1S", "C1P", "C1W"};
-    case Constellation::kGlonass: return {"C1C", "C1P"};
-    case Constellation::kGalileo: return {"C1C", "C1X", "C1B"};
-    case Constellation::kBeidou: return {"C2I", "C2X", "C1I"};
-    case Constellation::kQzss: return {"C1C", "C1X", "C1L", "C1S"};
-  }
-  return {};
-}
-
-/// The signal of a code under another first letter: "C1C" to "D1C", "P1" to "D1".
-std::string same_signal(char letter, const std::string& code) { return letter + code.substr(1); }
-
-/// The middle of what a digit of signal strength stands for [dB-Hz].
-double cn0_of_digit(char digit) { return 6.0 * (digit - '0') + 2.5; }
-
-/// The observations of one satellite as they stand in the file.
-class Cells {
- public:
-  Cells(const LineReader& in, const ObservationHeader& header, char system, std::string_view text)
-      : in_(in), header_(header), system_(system), text_(text) {}
-
-  /// Nothing where it is blank or 0, which are the two ways to say that there is none.
-  [[nodiscard]] std::optional<double> number(const std::string& type) const {
-    const std::optional<double> printed = in_.number(cell(type).substr(0, 14));
-    if (!printed || *printed == 0.0) return std::nullopt;
-    return *printed / header_.scale(system_, type);
-  }
-
-  [[nodiscard]] std::optional<double> strength(const std::string& type) const {
-    const std::string_view its = cell(type);
-    if (its.size() < kCell || its.back() < '1' || its.back() > '9') return std::nullopt;
-    return cn0_of_digit(its.back());
-  }
-
- private:
-  [[nodiscard]] std::string_view cell(const std::string& type) const {
-    const std::vector<std::string>& types = header_.types(system_);
-    const auto place = static_cast<std::size_t>(std::find(types.begin(), types.end(), type) - types.begin());
-    if (place == types.size() || place * kCell >= text_.size()) return {};
-    return text_.substr(place * kCell, kCell);
-  }
-
-  const LineReader& in_;
-  const ObservationHeader& header_;
-  char system_;
-  std::string_view text_;
-};
-
-std::optional<RawObservation> observation(const SatelliteId& satellite, bool version_2, const Cells& cells) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  for (const std::string& code : codes(satellite.constellation, version_2)) {
-    const std::optional<double> pseudorange = cells.number(code);
-    if (!pseudorange) continue;
-    RawObservation taken;
-    taken.satellite = satellite;
-    taken.pseudorange = *pseudorange;
-    taken.doppler = cells.number(same_signal('D', code)).value_or(kNone);
-    const auto by_digit =
-        cells.strength(code) ? cells.strength(code) : cells.strength(same_signal('L', code));
-    taken.cn0 = cells.number(same_signal('S', code)).value_or(by_digit.value_or(kNone));
-    return taken;
-  }
-  return std::nullopt;
+std::string name_of(char system) {
+  if (system == 'S') return "SBAS";
+  if (system == 'I') return "NavIC";
+  return std::string(to_string(*constellation_of_letter(system)));
 }
 
 class ObservationReader {
  public:
-  explicit ObservationReader(const std::string& file)
-      : in_(file), kind_(read_kind(in_)), version_2_(kind_.version_2()), header_(kind_) {
-    if (kind_.type != 'O') throw in_.error(std::string("type '") + kind_.type + "' is no observations");
-    for (in_.require_next("its header"); in_.label() != "END OF HEADER"; in_.require_next("its header")) {
-      header_.read_line(in_);
-    }
-    header_.check(in_);
+  explicit ObservationReader(const std::string& file) : in_(file), kind_(read_kind(in_)), header_(kind_) {
+    read_header();
   }
 
   ObservationLog read() {
     try {
       while (in_.next()) {
-        if (!in_.text(0, 80).empty()) read_record();
+        if (in_.text(0, 80).empty()) continue;
+        attempt([&] { read_record(); });
       }
     } catch (const UnexpectedEnd& end) {
       log_.left_out.emplace_back(end.what());
     }
+    keep_in_order();
     return std::move(log_);
   }
 
  private:
-  /// What an epoch's line says besides its time.
-  struct EpochLine {
-    int flag = 0;   ///< 0, 1: observations, 6: cycle slips in their form, 2 to 5: events
-    int count = 0;  ///< of satellites, of an event's lines
-  };
+  /// From the line after the first.
+  void read_header() {
+    if (kind_.type != 'O') throw in_.error(std::string("type '") + kind_.type + "' is no observations");
+    for (in_.require_next("its header"); !in_.labelled("END OF HEADER"); in_.require_next("its header")) {
+      if (epoch_begins(in_, header_.version_2())) {
+        note("no END OF HEADER before the first epoch");
+        in_.put_back();
+        break;
+      }
+      read_header_line();
+    }
+    take_notices();
+  }
 
-  [[nodiscard]] EpochLine epoch_line() const {
-    if (!version_2_ && in_.columns(0, 1) != ">") throw in_.error("no epoch begins here");
-    const std::size_t column = version_2_ ? 28 : 31;
-    const EpochLine line = {in_.integer(column, 1), in_.integer(column + 1, 3)};
-    if (line.flag < 0 || line.flag > 6) throw in_.error("no such flag of an epoch");
-    if (line.count < 0 || line.count > kMostRecords) throw in_.error("no such number of satellites");
-    return line;
+  void read_header_line() {
+    try {
+      header_.read_line(in_);
+    } catch (const RinexError& error) {
+      log_.notices.emplace_back(error.what());
+    }
+  }
+
+  void take_notices() {
+    for (const std::string& notice : header_.check(in_)) log_.notices.push_back(notice);
+  }
+
+  void note(const std::string& what) { log_.notices.emplace_back(in_.error(what).what()); }
+
+  /// Does a step and, where it fails, leaves out what comes before the next epoch or header.
+  template <class Step>
+  void attempt(const Step& step) {
+    try {
+      step();
+    } catch (const UnexpectedEnd&) {
+      throw;
+    } catch (const RinexError& error) {
+      log_.left_out.emplace_back(error.what());
+      skip_to([&] { return something_begins(); });
+    }
+  }
+
+  [[nodiscard]] bool something_begins() const {
+    return begins_file(in_) || epoch_begins(in_, header_.version_2());
+  }
+
+  template <class Found>
+  void skip_to(const Found& found) {
+    while (in_.next()) {
+      if (!found()) continue;
+      in_.put_back();
+      return;
+    }
   }
 
   void read_record() {
-    const EpochLine line = epoch_line();
-    const bool slips = line.flag == 6;
-    if (line.flag >= 2 && !slips) {
-      read_event(line.count);
-      return;
-    }
+    if (begins_file(in_)) return begin_file();
+    const EpochLine line = read_epoch_line(in_, header_.version_2());
+    if (line.event()) return read_event(line.count);
     RawEpoch epoch;
-    bool later = true;
-    if (!slips) {
-      epoch.time = time();
-      later = log_.epochs.empty() || epoch.time - log_.epochs.back().time > 0.0;
-      if (!later) log_.left_out.emplace_back(in_.error("time does not increase").what());
+    const std::size_t number = in_.line_number();
+    if (!line.slips()) epoch.time = line.time(in_, header_.time_scale(), header_.leap_seconds());
+    const bool whole = read_satellites(line, epoch);
+    if (line.slips() || !whole) return;
+    files_.back().push_back({number, std::move(epoch)});
+  }
+
+  /// A file that was joined to the one before.
+  void begin_file() {
+    try {
+      kind_ = kind_of(in_);
+      header_ = ObservationHeader(kind_);
+      files_.emplace_back();
+      read_header();
+    } catch (const UnexpectedEnd&) {
+      throw;
+    } catch (const RinexError& error) {
+      log_.left_out.push_back(std::string(error.what()) + "; all up to the next header is left out");
+      skip_to([&] { return begins_file(in_); });
     }
-    const std::vector<std::string> names = listed_satellites(version_2_ ? line.count : 0);
-    for (int i = 0; i < line.count; ++i) {
-      read_satellite(version_2_ ? names[static_cast<std::size_t>(i)] : "", epoch);
-    }
-    if (!slips && later) log_.epochs.push_back(std::move(epoch));
   }
 
   /// Lines of the header's kind, which may change the types.
   void read_event(int count) {
     for (int i = 0; i < count; ++i) {
       in_.require_next("an event");
-      header_.read_line(in_);
+      if (something_begins()) return in_.put_back();
+      read_header_line();
     }
-    header_.check(in_);
+    if (count > 0) take_notices();
   }
 
-  [[nodiscard]] GnssTime time() const {
-    const CalendarTime read = version_2_ ? calendar_time(in_, 1, 2, 11) : calendar_time(in_, 2, 4, 11);
-    const std::optional<GnssTime> time = gps_time(read, header_.time_scale(), header_.leap_seconds());
-    if (!time) throw in_.error("no such date and time");
-    return *time;
-  }
-
-  std::vector<std::string> listed_satellites(int count) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-      if (i > 0 && i % kSatellitesOfLine == 0) in_.require_next("the satellites of an epoch");
-      names.emplace_back(in_.columns(32 + 3 * (i % kSatellitesOfLine), 3));
+  /// Whether the epoch can be used.
+  bool read_satellites(const EpochLine& line, RawEpoch& epoch) {
+    const std::size_t number = in_.line_number();
+    const std::vector<std::string> names = line.satellites(in_);
+    int there = 0;
+    while (there < line.count && read_satellite(line, names, static_cast<std::size_t>(there), epoch)) ++there;
+    const bool short_of = there < line.count;
+    if (short_of || (header_.version_2() && !something_follows())) {
+      const std::string what = short_of ? "an epoch of " + std::to_string(line.count) +
+                                              " satellites that ends after " + std::to_string(there)
+                                        : "an epoch of more lines than its satellites have";
+      if (!line.slips()) log_.left_out.emplace_back(in_.error(number, what).what());
+      return !header_.version_2();
     }
-    return names;
+    return true;
   }
 
-  /// The next satellite's lines; `name` is what the epoch's line says of it in version 2.
-  void read_satellite(std::string name, RawEpoch& epoch) {
+  /// Whether the next line that is not blank begins something, or there is none.
+  bool something_follows() {
+    try {
+      while (in_.next()) {
+        if (in_.text(0, 80).empty()) continue;
+        in_.put_back();
+        return something_begins();
+      }
+    } catch (const UnexpectedEnd&) {
+      in_.put_back();
+    }
+    return true;
+  }
+
+  /// The lines of the next satellite, by name and cells; false when something else begins before it ends.
+  bool read_satellite(const EpochLine& line, const std::vector<std::string>& names, std::size_t place,
+                      RawEpoch& epoch) {
     in_.require_next("an epoch");
+    if (something_begins()) return in_.put_back(), false;
     std::string cells = in_.line();
-    if (version_2_) {
-      read_further_lines(cells);
-    } else {
-      name = cells.substr(0, 3);
-      cells.erase(0, 3);
+    std::string name = header_.version_2() ? names[place] : cells.substr(0, 3);
+    if (!header_.version_2()) cells.erase(0, 3);
+    if (header_.version_2() && !read_further_lines(cells)) return false;
+    try {
+      take_satellite(name, cells, epoch);
+    } catch (const RinexError& error) {
+      if (!line.slips()) log_.left_out.emplace_back(error.what());
     }
+    return true;
+  }
+
+  bool read_further_lines(std::string& cells) {
+    const std::size_t lines = (header_.types(' ').size() + kCellsOfLine - 1) / kCellsOfLine;
+    cells.resize(kCellsOfLine * SatelliteRecord::kCell, ' ');
+    for (std::size_t line = 1; line < lines; ++line) {
+      in_.require_next("an epoch");
+      if (something_begins()) return in_.put_back(), false;
+      cells += in_.line();
+      cells.resize((line + 1) * kCellsOfLine * SatelliteRecord::kCell, ' ');
+    }
+    return true;
+  }
+
+  void take_satellite(const std::string& name, const std::string& cells, RawEpoch& epoch) {
     if (name.size() != 3) throw in_.error("'" + name + "' is no satellite");
     const char system = name.front() == ' ' ? unnamed_system() : name.front();
-    if (header_.types(system).empty()) throw in_.error("'" + name + "' is of a system without types");
-    if (system == 'S' || system == 'I') return;
     const std::optional<Constellation> constellation = constellation_of_letter(system);
-    if (!constellation) throw in_.error("'" + name + "' is of no known satellite system");
-    const SatelliteId satellite{*constellation, number_in(name)};
-    const auto taken = observation(satellite, version_2_, Cells(in_, header_, system, cells));
-    if (taken) add(*taken, epoch);
+    const bool passed_over = system == 'S' || system == 'I';
+    if (!constellation && !passed_over) throw in_.error("'" + name + "' is of no known satellite system");
+    const int number = number_in(name);
+    if (header_.types(system).empty()) throw in_.error("'" + name + "' is of a system without types");
+    const SatelliteRecord record(in_, header_, system, cells);
+    const auto taken = passed_over ? std::nullopt : record.observation({*constellation, number});
+    if (taken) {
+      add(*taken, epoch);
+    } else {
+      count_unread(name_of(system), record.pseudoranges());
+    }
+  }
+
+  void count_unread(const std::string& system, const std::vector<std::string>& codes) {
+    for (const std::string& code : codes) ++log_.unread[system + " " + code];
+    if (codes.empty()) ++log_.unread[system + " without a pseudorange"];
   }
 
   /// Of satellites without a letter, which version 2 allows.
   [[nodiscard]] char unnamed_system() const {
     return kind_.system == ' ' || kind_.system == 'M' ? 'G' : kind_.system;
-  }
-
-  void read_further_lines(std::string& cells) {
-    const std::size_t lines = (header_.types(' ').size() + kCellsOfLine - 1) / kCellsOfLine;
-    cells.resize(kCellsOfLine * kCell, ' ');
-    for (std::size_t line = 1; line < lines; ++line) {
-      in_.require_next("an epoch");
-      cells += in_.line();
-      cells.resize((line + 1) * kCellsOfLine * kCell, ' ');
-    }
   }
 
   [[nodiscard]] int number_in(const std::string& name) const {
@@ -220,11 +229,38 @@ class ObservationReader {
     epoch.observations.push_back(taken);
   }
 
+  /// Files that were joined come in the order of their first epochs.
+  void keep_in_order() {
+    files_.erase(std::remove_if(files_.begin(), files_.end(), [](const auto& file) { return file.empty(); }),
+                 files_.end());
+    std::stable_sort(files_.begin(), files_.end(), [](const auto& a, const auto& b) {
+      return a.front().epoch.time < b.front().epoch.time;
+    });
+    std::vector<ReadEpoch> all;
+    for (auto& file : files_) std::move(file.begin(), file.end(), std::back_inserter(all));
+    std::vector<GnssTime> times;
+    for (const ReadEpoch& read : all) times.push_back(read.epoch.time);
+    const std::vector<std::size_t> in_order = longest_in_order(times);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::size_t next = log_.epochs.size();
+      if (next < in_order.size() && in_order[next] == i) {
+        log_.epochs.push_back(std::move(all[i].epoch));
+      } else {
+        log_.left_out.emplace_back(in_.error(all[i].line, "time does not increase").what());
+      }
+    }
+  }
+
+  struct ReadEpoch {
+    std::size_t line;
+    RawEpoch epoch;
+  };
+
   LineReader in_;
   FileKind kind_;
-  bool version_2_;
   ObservationHeader header_;
   ObservationLog log_;
+  std::vector<std::vector<ReadEpoch>> files_{1};  ///< one but where several were joined
 };
 
 }  // namespace

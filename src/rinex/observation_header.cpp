@@ -5,7 +5,6 @@ namespace multipath_localization {
 namespace {
 
 constexpr char kEverySystem = ' ';  // version 2 has one list
-constexpr int kMostTypes = 999;
 
 char letter(const LineReader& in) {
   const std::string text = in.text(0, 1);
@@ -25,17 +24,17 @@ std::vector<std::string> words(const LineReader& in, std::size_t first, std::siz
 }  // namespace
 
 ObservationHeader::ObservationHeader(const FileKind& kind)
-    : version_2_(kind.version_2()),
+    : version_(kind.version),
+      version_2_(kind.version_2()),
       time_scale_(kind.system == 'R'   ? TimeScale::kUtc
                   : kind.system == 'C' ? TimeScale::kBeidou
                                        : TimeScale::kGps) {}
 
 void ObservationHeader::read_line(const LineReader& in) {
-  const std::string label = in.label();
-  if (label == (version_2_ ? "# / TYPES OF OBSERV" : "SYS / # / OBS TYPES")) read_types(in);
-  if (label == "SYS / SCALE FACTOR") read_scale(in);
-  if (label == "TIME OF FIRST OBS") read_time_scale(in);
-  if (label == "LEAP SECONDS" && in.text(24, 3) != "BDS") leap_seconds_ = in.integer(0, 6);
+  if (in.labelled(version_2_ ? "# / TYPES OF OBSERV" : "SYS / # / OBS TYPES")) read_types(in);
+  if (in.labelled("SYS / SCALE FACTOR")) read_scale(in);
+  if (in.labelled("TIME OF FIRST OBS")) read_time_scale(in);
+  if (in.labelled("LEAP SECONDS") && in.text(24, 3) != "BDS") leap_seconds_ = in.integer(0, 6);
 }
 
 void ObservationHeader::read_types(const LineReader& in) {
@@ -44,14 +43,11 @@ void ObservationHeader::read_types(const LineReader& in) {
   if (announced_.empty()) throw in.error("a continuation of no types of observations");
   std::vector<std::string>& types = types_[system_];
   for (const std::string& word : words(in, 6, version_2_ ? 6 : 4)) types.push_back(word);
-  if (types.size() > announced_[system_]) throw in.error("more types of observations than announced");
 }
 
 void ObservationHeader::begin_types(const LineReader& in) {
-  const int count = version_2_ ? in.integer(0, 6) : in.integer(3, 3);
-  if (count < 1 || count > kMostTypes) throw in.error("no such number of types of observations");
   system_ = version_2_ ? kEverySystem : letter(in);
-  announced_[system_] = static_cast<std::size_t>(count);
+  announced_[system_] = version_2_ ? in.text(0, 6) : in.text(3, 3);
   types_[system_].clear();
 }
 
@@ -74,14 +70,21 @@ void ObservationHeader::read_time_scale(const LineReader& in) {
   if (name == "BDT") time_scale_ = TimeScale::kBeidou;
 }
 
-void ObservationHeader::check(const LineReader& in) const {
-  if (types_.empty()) throw in.error("the header names no types of observations");
+std::vector<std::string> ObservationHeader::check(const LineReader& in) const {
+  std::vector<std::string> notices;
+  bool any = false;
   for (const auto& [system, types] : types_) {
-    if (types.size() != announced_.at(system)) {
-      throw in.error("the header names " + std::to_string(types.size()) + " types of observations, not " +
-                     std::to_string(announced_.at(system)));
-    }
+    any = any || !types.empty();
+    const std::string& announced = announced_.at(system);
+    if (announced == std::to_string(types.size())) continue;
+    const std::string of = version_2_ ? "" : std::string(" of ") + system;
+    notices.emplace_back(in.error("the header names " + std::to_string(types.size()) +
+                                  " types of observations" + of + " where it announces '" + announced +
+                                  "': the names count")
+                             .what());
   }
+  if (!any) throw in.error("the header names no types of observations");
+  return notices;
 }
 
 const std::vector<std::string>& ObservationHeader::types(char system) const {

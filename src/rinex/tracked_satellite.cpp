@@ -33,7 +33,7 @@ std::optional<TrackedSatellite> track(const RawObservation& raw, const GnssTime&
   const GnssTime transmission = transmission_time(*ephemeris, reception, raw.pseudorange);
   tracked.at_transmission = satellite_state(*ephemeris, transmission);
   if (!possible(tracked.at_transmission)) return std::nullopt;
-  tracked.frequency = carrier_frequency(*ephemeris);
+  tracked.frequency = carrier_frequency(*ephemeris, raw.b1c);
   tracked.pseudorange =
       raw.pseudorange + kSpeedOfLight * (tracked.at_transmission.clock - group_delay(*ephemeris));
   tracked.range_rate =

@@ -59,6 +59,16 @@ TEST(RunDrive, FixesCountInTheOrderOfTheirArrival) {
   EXPECT_EQ(log.updated, (std::vector<double>{2.0, 3.0, 1.5}));
 }
 
+TEST(RunDrive, StartsAfreshWhereTheDriveRestarts) {
+  Drive drive = straight_drive(5);
+  drive.measurements = {fix(1.0, 1.0), fix(4.0, 4.0)};
+  drive.restarts = {3.0};
+  const std::vector<Epoch> epochs = run_drive(drive, dead_reckoning(), {});
+  EXPECT_TRUE(epochs[2].valid);
+  EXPECT_FALSE(epochs[3].valid);
+  EXPECT_TRUE(epochs[5].valid);
+}
+
 TEST(RunDrive, AnEpochKnowsNothingThatArrivesLater) {
   Drive drive = straight_drive(4);
   drive.measurements = {fix(1.0, 2.5)};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
+#include <rosbag/view.h>
 #include <sensor_msgs/NavSatFix.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -100,6 +101,20 @@ inline void write_pair(rosbag::Bag& bag, double stamp, const Eigen::Vector2d& po
   right.header.frame_id = "gps_right";
   bag.write("/gps/left/fix", ros::Time(stamp), left);
   if (stamp != 1003.0) bag.write("/gps/right/fix", ros::Time(stamp), right);
+}
+
+/// A copy of a bag in which the messages of a topic are as if of another version of their type.
+inline std::string with_other_version(const std::string& file, const std::string& topic,
+                                      const std::string& md5sum = "*") {
+  const std::string copy = testing::TempDir() + "other_version_under_test.bag";
+  const rosbag::Bag in(file);
+  rosbag::Bag out(copy, rosbag::bagmode::Write);
+  for (const rosbag::MessageInstance& message : rosbag::View(in)) {
+    const auto header = boost::make_shared<ros::M_string>(*message.getConnectionHeader());
+    if (message.getTopic() == topic) (*header)["md5sum"] = md5sum;
+    out.write(message.getTopic(), message.getTime(), message, header);
+  }
+  return copy;
 }
 
 /// Twenty seconds north at 1 m/s from (5, 0), in shadow from the tenth on; every topic at 1 Hz, the right one

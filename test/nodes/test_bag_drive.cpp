@@ -103,7 +103,66 @@ TEST(ReadBag, SaysThatItHoldsNoGnss) {
   EXPECT_NE(failure_of(record(recording), {}).find("no sensor_msgs/NavSatFix"), std::string::npos);
 }
 
-TEST(ReadBag, RefusesWhatIsNoBag) { EXPECT_NE(failure_of("/no/such.bag", {}), ""); }
+TEST(ReadBag, RefusesMessagesOfAnotherVersion) {
+  Recording recording;
+  recording.with_epoch = recording.with_pair = true;
+  const std::string file = record(recording);
+  for (const auto& [topic, type] :
+       std::map<std::string, std::string>{{"/odom", "nav_msgs/Odometry"},
+                                          {"/gps/fix", "sensor_msgs/NavSatFix"},
+                                          {"/gps/left/fix", "sensor_msgs/NavSatFix"},
+                                          {"/gnss/epoch", "multipath_localization/GnssEpoch"},
+                                          {"/tf_static", "tf2_msgs/TFMessage"},
+                                          {"/truth", "geometry_msgs/PoseStamped"},
+                                          {"/truth/bias", "geometry_msgs/Vector3Stamped"}}) {
+    for (const char* md5sum : {"*", "0123456789abcdef0123456789abcdef"}) {
+      const std::string other = with_other_version(file, topic, md5sum);
+      EXPECT_EQ(failure_of(other, {}), other + ": " + topic + " is a " + type + " of another version");
+    }
+  }
+}
+
+TEST(ReadBag, RefusesATopicOfTwoTypes) {
+  const std::string file = record({});
+  {
+    rosbag::Bag bag(file, rosbag::bagmode::Append);
+    bag.write("/gps/fix", ros::Time(1021.0), odometry_at(1021.0));
+    bag.write("/gps/fix", ros::Time(1022.0), fix_at(1022.0, {5.0, 22.0}));
+  }
+  BagTopics asked;
+  asked.odometry = "odom";
+  EXPECT_NE(failure_of(file, asked).find("/gps/fix is a nav_msgs/Odometry, not a sensor_msgs/NavSatFix"),
+            std::string::npos);
+}
+
+/// Odometry and fixes of later seconds behind those of a recording.
+std::string recorded_on(double first, double last) {
+  const std::string file = record({});
+  rosbag::Bag bag(file, rosbag::bagmode::Append);
+  for (double stamp = first; stamp <= last; stamp += 1.0) {
+    const ros::Time recorded(2000.0 + stamp);
+    bag.write("/odom", recorded, odometry_at(stamp));
+    bag.write("/gps/fix", recorded, fix_at(stamp, {5.0, 20.0}));
+  }
+  return file;
+}
+
+TEST(ReadBag, ASilenceOfOdometryIsARestart) {
+  const Drive drive = read_bag(recorded_on(1028.0, 1032.0), {}, kDatum);
+  ASSERT_EQ(drive.restarts.size(), 1u);
+  EXPECT_DOUBLE_EQ(drive.restarts.front(), 1029.0) << "as the node, which takes the second one after it";
+  EXPECT_EQ(drive.odometry.size(), 21u + 4u);
+  EXPECT_EQ(drive.fixes().size(), 21u + 5u);
+  ASSERT_FALSE(drive.notices.empty());
+  EXPECT_NE(drive.notices.front().find("no odometry for 9.0 s from 1020.00 on (20.0 s from the start)"),
+            std::string::npos)
+      << drive.notices.front();
+}
+
+TEST(ReadBag, RefusesTimeThatGoesBack) {
+  EXPECT_NE(failure_of(recorded_on(900.0, 905.0), {}).find("/odom goes back in time, from 1020.0"),
+            std::string::npos);
+}
 
 }  // namespace
 }  // namespace multipath_localization

@@ -84,6 +84,25 @@ TEST_F(WriteDrive, FixesSayTheirClocks) {
   }
 }
 
+/// As from satellites without redundancy: kilometres off, which no residual tells.
+TEST_F(WriteDrive, AFixOffTheWayHasNoStatus) {
+  PointPositioning positioning(navigation_, {0.1, {Constellation::kGps, Constellation::kGalileo}});
+  DriveWriter writer(folder_.path(), {"obs", {"nav"}, on_24_june(8, 20), 5.0, true}, false);
+  for (int second = 0; second < 9; ++second) {
+    Geodetic antenna = kAntenna;
+    if (second == 4) antenna.latitude_deg += 0.036;
+    const GnssTime time = on_24_june(8, 20, second);
+    writer.add(*positioning.correct(heard(satellites_, antenna, time, 0.0, 0.0, summer_ionosphere())));
+  }
+  writer.close();
+  EXPECT_EQ(writer.off_the_way(), std::vector<double>{4.0});
+  for (const char* file : {"/fix.csv", "/robust_fix.csv"}) {
+    const CsvTable fixes(folder_.path() + file, {"status"});
+    ASSERT_EQ(fixes.rows(), 9u);
+    for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(fixes.number(i, "status"), i == 4 ? -1.0 : 0.0) << i;
+  }
+}
+
 TEST_F(WriteDrive, DescriptionTellsTheTimeAndTheSource) {
   write(folder_.path());
   const YAML::Node description = YAML::LoadFile(folder_.path() + "/drive.yaml");

@@ -83,11 +83,21 @@ TEST(Ephemerides, AnUnhealthySatelliteIsNotFound) {
   EXPECT_EQ(all.find({Constellation::kGps, 7}, {2320, 8000.0}), nullptr);
 }
 
+TEST(Ephemerides, TellTheirSpan) {
+  Ephemerides all;
+  EXPECT_FALSE(all.span());
+  all.add(orbit_at(Constellation::kGps, 8200.0, false));
+  all.add(orbit_at(Constellation::kGalileo, 1000.0));
+  EXPECT_EQ(all.span()->first.second, 1000.0);
+  EXPECT_EQ(all.span()->second.second, 8200.0);
+}
+
 TEST(Ephemerides, CarriersAreL1E1B1IAndGlonasssChannel) {
   EXPECT_DOUBLE_EQ(carrier_frequency(orbit_at(Constellation::kGps, 0.0)), 1575.42e6);
   EXPECT_DOUBLE_EQ(carrier_frequency(orbit_at(Constellation::kGalileo, 0.0)), 1575.42e6);
   EXPECT_DOUBLE_EQ(carrier_frequency(orbit_at(Constellation::kQzss, 0.0)), 1575.42e6);
   EXPECT_DOUBLE_EQ(carrier_frequency(orbit_at(Constellation::kBeidou, 0.0)), 1561.098e6);
+  EXPECT_DOUBLE_EQ(carrier_frequency(orbit_at(Constellation::kBeidou, 0.0), true), 1575.42e6) << "B1C";
   GlonassOrbit glonass;
   glonass.channel = -7;
   EXPECT_DOUBLE_EQ(carrier_frequency(glonass), 1598.0625e6);

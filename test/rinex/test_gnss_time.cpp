@@ -63,6 +63,17 @@ TEST(GnssTime, RefusesWhatNoCalendarHas) {
   EXPECT_TRUE(gps_time({2024, 2, 29, 0, 0, 0.0}, TimeScale::kGps));
 }
 
+TEST(GnssTime, IsPrintedAsACalendarHasIt) {
+  for (const CalendarTime& time :
+       {CalendarTime{2024, 6, 24, 8, 20, 30.7}, CalendarTime{2000, 2, 29, 23, 59, 59.0},
+        CalendarTime{1980, 1, 6, 0, 0, 0.0}, CalendarTime{2099, 12, 31, 0, 0, 0.0}}) {
+    char text[80];
+    std::snprintf(text, sizeof(text), "%04d-%02d-%02d %02d:%02d:%02d", time.year, time.month, time.day,
+                  time.hour, time.minute, static_cast<int>(time.second));
+    EXPECT_EQ(to_text(*gps_time(time, TimeScale::kGps)), text);
+  }
+}
+
 TEST(GnssTime, TwoDigitsAreAYearFrom1980To2079) {
   EXPECT_EQ(year_of_two_digits(80), 1980);
   EXPECT_EQ(year_of_two_digits(99), 1999);

@@ -67,10 +67,46 @@ TEST_F(ReadLines, ALinePutBackComesAgain) {
   EXPECT_THROW(in.require_next("a test"), RinexError);
 }
 
-TEST_F(ReadLines, RefusesALineOfAMegabyte) {
-  LineReader in = reader("short\n" + std::string(1 << 20, 'x') + "\n");
+TEST_F(ReadLines, OfALineOfAMegabyteTheBeginIsThere) {
+  LineReader in = reader("short\n" + std::string(1 << 20, 'x') + "\nnext\n");
   ASSERT_TRUE(in.next());
-  EXPECT_THROW(in.next(), RinexError);
+  ASSERT_TRUE(in.next());
+  EXPECT_EQ(in.line(), std::string(20000, 'x'));
+  ASSERT_TRUE(in.next());
+  EXPECT_EQ(in.line(), "next");
+}
+
+TEST_F(ReadLines, MarksOfEditorsAndOfDosAreNoText) {
+  LineReader in = reader(
+      "\xef\xbb\xbf"
+      "first\r\r\n\xef\xbb\xbfjoined\n\x1a\nlast\r\n\x1a");
+  for (const char* line : {"first", "joined", "", "last"}) {
+    ASSERT_TRUE(in.next());
+    EXPECT_EQ(in.line(), line);
+  }
+  EXPECT_FALSE(in.next()) << "a lone ^Z is no line that was cut off";
+}
+
+TEST_F(ReadLines, LabelsMayBeCutOff) {
+  LineReader in = reader(header_line("", "SYS / # / OB") + header_line("", "SYS /") +
+                         header_line("", "SYS / # / OBS TYPES"));
+  ASSERT_TRUE(in.next());
+  EXPECT_TRUE(in.labelled("SYS / # / OBS TYPES"));
+  EXPECT_FALSE(in.labelled("SYS / SCALE FACTOR"));
+  ASSERT_TRUE(in.next());
+  EXPECT_FALSE(in.labelled("SYS / # / OBS TYPES")) << "that could be several";
+  ASSERT_TRUE(in.next());
+  EXPECT_TRUE(in.labelled("SYS / # / OBS TYPES"));
+  EXPECT_FALSE(in.labelled("SYS / # / OB"));
+}
+
+TEST_F(ReadLines, ColumnsMoveEitherWay) {
+  LineReader in = reader("ab  cd\n");
+  ASSERT_TRUE(in.next());
+  in.move(4, 5);
+  EXPECT_EQ(in.line(), "ab   cd");
+  in.move(5, 3);
+  EXPECT_EQ(in.line(), "ab cd");
 }
 
 TEST_F(ReadLines, ALineWithoutAnEndIsNotWhole) {

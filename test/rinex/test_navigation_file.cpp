@@ -151,6 +151,31 @@ TEST(ReadNavigation, LeavesOutAMessageThatCannotBeUsedAndReadsOn) {
                      "11: no message of a known satellite system begins here"}));
 }
 
+TEST(ReadNavigation, FilesMayBeJoined) {
+  const Navigation all = navigation_of(navigation_header() + kGps5 + "\xef\xbb\xbf" +
+                                       navigation_header(kIonosphere) + kGalileo12At8 + "\x1a");
+  EXPECT_TRUE(all.left_out.empty());
+  EXPECT_TRUE(all.ionosphere);
+  EXPECT_NE(all.ephemerides.find(kG05, on_24_june(9, 0)), nullptr);
+  EXPECT_NE(all.ephemerides.find({Constellation::kGalileo, 12}, on_24_june(9, 0)), nullptr);
+  const std::string unknown =
+      header_line("     9.00           N: GNSS NAV DATA    M", "RINEX VERSION / TYPE");
+  const Navigation without =
+      navigation_of(navigation_header() + kGps5 + unknown + kBeidou1 + navigation_header() + kGalileo12At8);
+  EXPECT_EQ(without.left_out.size(), 1u);
+  EXPECT_EQ(without.ephemerides.find({Constellation::kBeidou, 1}, on_24_june(8, 0)), nullptr);
+  EXPECT_NE(without.ephemerides.find({Constellation::kGalileo, 12}, on_24_june(9, 0)), nullptr);
+}
+
+TEST(ReadNavigation, AMessageThatNamesItsSystemIsOfVersion3) {
+  const Navigation all = navigation_of(
+      header_line("     2.11           N: GNSS NAV DATA    M: MIXED", "RINEX VERSION / TYPE") +
+      header_line("  xx", "LEAP SECONDS") + header_line("", "END OF HEADE") + kGps5 + kGalileo12At8);
+  EXPECT_EQ(all.left_out.size(), 1u) << "the leap seconds";
+  EXPECT_NE(all.ephemerides.find(kG05, on_24_june(9, 0)), nullptr);
+  EXPECT_NE(all.ephemerides.find({Constellation::kGalileo, 12}, on_24_june(9, 0)), nullptr);
+}
+
 TEST(ReadNavigation, LeavesOutTheMessageThatTheFileBreaksOffIn) {
   const std::string whole = navigation_header() + kGalileo12At8 + kGps5;
   for (const std::size_t missing : {1, 10, 100, 600}) {

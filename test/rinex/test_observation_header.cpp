@@ -12,11 +12,12 @@ class ReadHeader : public ::testing::Test {
     LineReader in(folder_.write("header", lines));
     ObservationHeader all(kind);
     while (in.next()) all.read_line(in);
-    all.check(in);
+    notices_ = all.check(in);
     return all;
   }
 
   TemporaryFolder folder_;
+  mutable std::vector<std::string> notices_;
   const FileKind version_3_{3.04, 'O', 'M'};
   const FileKind version_2_{2.11, 'O', 'G'};
 };
@@ -81,13 +82,25 @@ TEST_F(ReadHeader, TimeScaleIsThatOfTheFirstObservationElseTheSystems) {
             std::optional<int>(17));
 }
 
-TEST_F(ReadHeader, RefusesCountsThatAreWrong) {
+TEST_F(ReadHeader, WhereCountsAreWrongTheNamesCount) {
+  const char* const label = "SYS / # / OBS TYPES";
+  EXPECT_EQ(header(version_3_, header_line("G    2 C1C L1C", label)).types('G').size(), 2u);
+  EXPECT_TRUE(notices_.empty());
+  for (const char* count : {"  1", "  3", " -1", "   ", " x "}) {
+    const auto all = header(version_3_, header_line("G  " + std::string(count) + " C1C L1C", label));
+    EXPECT_EQ(all.types('G'), (std::vector<std::string>{"C1C", "L1C"})) << count;
+    ASSERT_EQ(notices_.size(), 1u) << count;
+    EXPECT_NE(notices_[0].find("names 2 types of observations of G"), std::string::npos) << notices_[0];
+  }
+  const auto old = header(version_2_, header_line("     1    C1    L1", "# / TYPES OF OBSERV"));
+  EXPECT_EQ(old.types('G').size(), 2u);
+  EXPECT_EQ(notices_.size(), 1u);
+}
+
+TEST_F(ReadHeader, RefusesWhatNamesNoTypes) {
   const char* const label = "SYS / # / OBS TYPES";
   EXPECT_THROW((void)header(version_3_, ""), RinexError);
-  EXPECT_THROW((void)header(version_3_, header_line("G    2 C1C", label)), RinexError);
-  EXPECT_THROW((void)header(version_3_, header_line("G    1 C1C L1C", label)), RinexError);
   EXPECT_THROW((void)header(version_3_, header_line("G    0", label)), RinexError);
-  EXPECT_THROW((void)header(version_3_, header_line("G   -1 C1C", label)), RinexError);
   EXPECT_THROW((void)header(version_3_, header_line("       C1C", label)), RinexError);
   EXPECT_THROW((void)header(version_3_,
                             header_line("G    1 C1C", label) + header_line("G    0", "SYS / SCALE FACTOR")),

@@ -38,6 +38,16 @@ TEST(CheckTopics, SayWhenATopicIsOfAnotherTypeOrNotThere) {
   EXPECT_TRUE(ToFix(check_topics(seen), "no message on /odom", "--odom-topic"));
 }
 
+TEST(CheckTopics, TellAnotherVersionFromAMissingTopic) {
+  Observations seen = healthy_robot();
+  seen.odometry.clear();
+  seen.other_versions = {{"odom", "nav_msgs/Odometry"}, {"tf_static", "tf2_msgs/TFMessage"}};
+  EXPECT_TRUE(ToFix(check_topics(seen), "/odom is a nav_msgs/Odometry of another version", "rosbag check"));
+  EXPECT_TRUE(
+      ToFix(check_topics(seen), "/tf_static is a tf2_msgs/TFMessage of another version", "rosbag check"));
+  EXPECT_FALSE(ToFix(check_topics(seen), "no message", ""));
+}
+
 TEST(CheckRates, WantOdometryOftenAndWithoutGaps) {
   Observations seen = healthy_robot();
   EXPECT_TRUE(Passes(check_rates(seen)));

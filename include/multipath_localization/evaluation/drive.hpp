@@ -32,6 +32,8 @@ struct Drive {
   std::vector<RecordedMeasurement> measurements;  ///< by arrival
   std::vector<TruthSample> truth;                 ///< by stamp; empty when there is none
   std::vector<std::string> notices;               ///< what the reader had to assume or to leave out
+  /// Stamps of odometry that came after one was missed for so long that the localization starts afresh [s].
+  std::vector<double> restarts;
 
   /// Stamp of the first thing recorded, from which times are counted [s].
   [[nodiscard]] double start() const;

@@ -37,7 +37,8 @@ class RunError : public std::runtime_error {
 /// arrival, and at equal times odometry, measurement, truth. There is one epoch per truth sample: the
 /// estimate after everything that had arrived by then, carried from the last odometry stamp to the sample's
 /// by the speed and yaw rate of the last increment. Samples more than a second past the last odometry count
-/// as without estimate. Throws RunError.
+/// as without estimate. At the drive's restarts the localizer starts afresh, position and heading unknown.
+/// Throws RunError.
 std::vector<Epoch> run_drive(const Drive& drive, const EstimatorFactory& make, const RunSettings& settings,
                              const ProgressReport& progress = nullptr);
 

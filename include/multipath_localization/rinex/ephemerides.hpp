@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,16 +20,20 @@ SatelliteState satellite_state(const Ephemeris& ephemeris, const GnssTime& time)
 
 bool possible(const Ephemeris& ephemeris);
 
-/// Of the signal whose pseudoranges are used: L1, E1, B1I or GLONASS's channel of L1 [Hz].
-double carrier_frequency(const Ephemeris& ephemeris);
+/// Of the signal whose pseudoranges are used: L1, E1, B1I (or B1C) or GLONASS's channel of L1 [Hz].
+double carrier_frequency(const Ephemeris& ephemeris, bool b1c = false);
 
-/// By how much that signal leaves later than the satellite's clock says [s].
+/// By how much that signal leaves later than the satellite's clock says [s]; of B1C, which the messages of
+/// RINEX 3 do not tell, that of B1I, metres off.
 double group_delay(const Ephemeris& ephemeris);
 
 /// All that satellites broadcast in some span of time.
 class Ephemerides {
  public:
   void add(const Ephemeris& ephemeris);
+
+  /// The first and the last reference time, nothing without ephemerides.
+  [[nodiscard]] std::optional<std::pair<GnssTime, GnssTime>> span() const { return span_; }
 
   /// The one of the satellite whose reference time is nearest; of two equally near the one that was sent
   /// later, since health changes without a new reference, else the one that was added later. Nothing when
@@ -38,6 +43,7 @@ class Ephemerides {
 
  private:
   std::map<SatelliteId, std::vector<Ephemeris>> by_satellite_;
+  std::optional<std::pair<GnssTime, GnssTime>> span_;
 };
 
 /// When the signal left that a receiver heard at `reception`, by its own clock, as a pseudorange [m]: the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 namespace multipath_localization {
 
@@ -12,6 +13,8 @@ struct GnssTime {
   int week = 0;         ///< since 6 January 1980, not rolled over
   double second = 0.0;  ///< of the week, within [0, 604800)
 };
+
+bool operator<(const GnssTime& a, const GnssTime& b);
 
 /// `seconds`: up to millions of years.
 GnssTime operator+(const GnssTime& time, double seconds);
@@ -38,6 +41,9 @@ int year_of_two_digits(int year);
 /// Nothing where the calendar has no such time. `leap_seconds` is GPS time - UTC; without it the table knows.
 std::optional<GnssTime> gps_time(const CalendarTime& time, TimeScale scale,
                                  std::optional<int> leap_seconds = std::nullopt);
+
+/// "2024-06-24 08:20:00" by GPS's calendar, seconds rounded down.
+std::string to_text(const GnssTime& time);
 
 /// GPS time - UTC [s] when UTC reads as `utc` does, by the announcements of IERS to the end of 2016; there
 /// were no leap seconds after.

@@ -23,13 +23,15 @@ class UnexpectedEnd : public RinexError {
   explicit UnexpectedEnd(const RinexError& error) : RinexError(error) {}
 };
 
-/// Reads a file of fixed columns, which are counted from 0 here, line by line. All throw RinexError.
+/// Reads a file of fixed columns, which are counted from 0 here, line by line. Marks that editors and DOS
+/// leave at the begin of a file (a byte order mark) and at its end (^Z) are no part of the lines. All throw
+/// RinexError.
 class LineReader {
  public:
   explicit LineReader(const std::string& file);
 
   /// Goes to the next line; false at the end of the file. Throws UnexpectedEnd at a last line without an end,
-  /// whose last number may lack digits. Lines of over 20 000 characters are refused.
+  /// whose last number may lack digits. Of longer lines only the first 20 000 characters are there.
   bool next();
 
   /// The same, where the file must not end: throws UnexpectedEnd.
@@ -56,11 +58,18 @@ class LineReader {
   /// The integer there; blank columns are refused as anything else is.
   [[nodiscard]] int integer(std::size_t first, std::size_t width) const;
 
-  /// The header label at column 60.
-  [[nodiscard]] std::string label() const { return text(60, 20); }
+  /// Whether the header label at column 60 is that, or as much of it (from 9 characters on) as the line has.
+  [[nodiscard]] bool labelled(const std::string& label) const;
 
-  /// An error at the current line, at the one before when it was put back.
-  [[nodiscard]] RinexError error(const std::string& reason) const;
+  /// Moves what stands from column `from` on to column `to` of the current line.
+  void move(std::size_t from, std::size_t to);
+
+  /// The number of the current line, of the one before when it was put back.
+  [[nodiscard]] std::size_t line_number() const { return kept_ ? number_ - 1 : number_; }
+
+  /// An error at the current line, at the one before when it was put back; and at any line.
+  [[nodiscard]] RinexError error(const std::string& reason) const { return error(line_number(), reason); }
+  [[nodiscard]] RinexError error(std::size_t line, const std::string& reason) const;
 
  private:
   bool read();
@@ -82,7 +91,14 @@ struct FileKind {
   [[nodiscard]] bool version_2() const { return version < 3.0; }
 };
 
-/// Reads the first line. Throws RinexError for all but RINEX 2.00 to 2.12 and 3.00 to 3.05.
+/// Whether the current line is a first one.
+bool begins_file(const LineReader& in);
+
+/// What the current line says as a first one. Throws RinexError for all but RINEX 2.00 to 2.12 and 3.00 to
+/// 3.05.
+FileKind kind_of(const LineReader& in);
+
+/// The same of the next line.
 FileKind read_kind(LineReader& in);
 
 /// Date and time in columns of width 2 and a blank each (the year of 4 where `digits_of_year` is), seconds in

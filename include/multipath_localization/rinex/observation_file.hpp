@@ -1,21 +1,14 @@
 #pragma once
 
-#include <limits>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "multipath_localization/rinex/gnss_time.hpp"
-#include "multipath_localization/rinex/satellite_id.hpp"
+#include "multipath_localization/rinex/satellite_record.hpp"
 
 namespace multipath_localization {
-
-/// What a receiver measured of one satellite on the one signal that is used of each.
-struct RawObservation {
-  SatelliteId satellite;
-  double pseudorange = 0.0;                                   ///< [m]
-  double doppler = std::numeric_limits<double>::quiet_NaN();  ///< positive when approaching [Hz]; NaN: none
-  double cn0 = std::numeric_limits<double>::quiet_NaN();      ///< [dB-Hz]; NaN: not told
-};
 
 /// All of one instant, by the receiver's clock.
 struct RawEpoch {
@@ -26,17 +19,30 @@ struct RawEpoch {
 /// What an observation file holds.
 struct ObservationLog {
   std::vector<RawEpoch> epochs;       ///< later and later
-  std::vector<std::string> left_out;  ///< epochs that could not be used: file, line and reason of each
+  std::vector<std::string> left_out;  ///< what could not be used: file, line and reason of each
+  std::vector<std::string> notices;   ///< what of a header is not believed: file, line and what
+  /// Records of satellites of which nothing is taken, by system and the pseudoranges that they have: "BeiDou
+  /// C5P", or "GPS without a pseudorange".
+  std::map<std::string, std::size_t> unread;
 };
 
-/// Reads RINEX observations 2.00 to 2.12 and 3.00 to 3.05. Of each satellite it takes the pseudorange of the
-/// first of these codes that the satellite has, with the Doppler shift and C/N0 of the same code:
-///   GPS C1C C1X C1L C1S C1P C1W; GLONASS C1C C1P; Galileo C1C C1X C1B; BeiDou (B1I) C2I C2X C1I;
-///   QZSS C1C C1X C1L C1S; in version 2 C1 P1, of BeiDou C2.
-/// C1I is what version 3.02 calls B1I. Where there is no C/N0 the digit of the signal's strength gives it to
-/// 3 dB. SBAS and NavIC are passed over, and so are records of cycle slips and of events. An epoch is
-/// left out that the file breaks off in or that is no later than the one before. Throws RinexError for all
-/// else that cannot be read, a satellite twice in an epoch too.
+/// Reads RINEX observations 2.00 to 2.12 and 3.00 to 3.05, several files joined in one too, whatever their
+/// order. Of each satellite it takes the pseudorange of the first of `pseudorange_codes` that the satellite
+/// has, with the Doppler shift and C/N0 of the same code. SBAS and NavIC are counted as unread; records of
+/// cycle slips and of events are passed over.
+///
+/// | what cannot be used                                   | what is left out                              |
+/// |-------------------------------------------------------|-----------------------------------------------|
+/// | a number, a satellite, one a second time in its epoch | the record                                    |
+/// | an epoch's line, or what is no line of an epoch       | all up to the next epoch                      |
+/// | lines too few or too many for an epoch of version 2,  | the epoch: which line is whose cannot be told |
+/// | where satellites are named in the epoch's line        |                                               |
+/// | an epoch that the file breaks off in                  | the epoch                                     |
+/// | a time out of order                                   | the epoch, so that as many as can be are kept |
+/// | a later header                                        | all up to the next header                     |
+///
+/// Columns of an epoch's line that are moved by one or two are found. Throws RinexError where there is no
+/// such file, no header or no types of observations in it.
 ObservationLog read_observations(const std::string& file);
 
 }  // namespace multipath_localization

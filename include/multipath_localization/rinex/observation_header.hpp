@@ -20,8 +20,9 @@ class ObservationHeader {
   /// Takes one header line. Throws RinexError.
   void read_line(const LineReader& in);
 
-  /// Throws RinexError when types were announced that did not come, or none at all.
-  void check(const LineReader& in) const;
+  /// Throws RinexError when it names no types at all. Where it announces another number of types than it
+  /// names the names count; what it says of that.
+  [[nodiscard]] std::vector<std::string> check(const LineReader& in) const;
 
   /// The types of a system's observations by its letter, in the order of their columns.
   [[nodiscard]] const std::vector<std::string>& types(char system) const;
@@ -31,6 +32,7 @@ class ObservationHeader {
 
   [[nodiscard]] TimeScale time_scale() const { return time_scale_; }
   [[nodiscard]] std::optional<int> leap_seconds() const { return leap_seconds_; }
+  [[nodiscard]] double version() const { return version_; }
   [[nodiscard]] bool version_2() const { return version_2_; }
 
  private:
@@ -39,6 +41,7 @@ class ObservationHeader {
   void read_scale(const LineReader& in);
   void read_time_scale(const LineReader& in);
 
+  double version_;
   bool version_2_;
   TimeScale time_scale_;
   std::optional<int> leap_seconds_;
@@ -46,7 +49,7 @@ class ObservationHeader {
   char scaled_system_ = ' ';  ///< likewise of scale factors
   double scale_ = 0.0;        ///< the last one, 0: none yet
   std::map<char, std::vector<std::string>> types_;
-  std::map<char, std::size_t> announced_;
+  std::map<char, std::string> announced_;                 ///< how many, as it is printed
   std::map<char, std::map<std::string, double>> scales_;  ///< under an empty type: of all the others
 };
 

@@ -50,7 +50,15 @@ std::string launch_with(const Observations& seen, const Input& in) {
          in.found;
 }
 
+Finding of_another_version(const std::string& topic, const std::string& type) {
+  return fix(
+      "/" + topic + " is a " + type + " of another version, which cannot be read",
+      "record it with the message definitions of this machine; rosbag check tells whether the bag can be "
+      "migrated: rosbag fix");
+}
+
 Finding topic_of(const Observations& seen, const Input& in) {
+  if (seen.other_versions.count(in.found) > 0) return of_another_version(in.found, in.type);
   if (in.found == in.topic && !in.stamps.empty()) {
     return pass(text("%s: %zu messages on /%s", in.argument.c_str(), in.stamps.size(), in.found.c_str()));
   }
@@ -119,6 +127,10 @@ double lateness(const Input& in) {
 Findings check_topics(const Observations& seen) {
   Findings all;
   for (const Input& in : inputs(seen)) all.push_back(topic_of(seen, in));
+  for (const char* topic : {"tf", "tf_static"}) {
+    const auto other = seen.other_versions.find(topic);
+    if (other != seen.other_versions.end()) all.push_back(of_another_version(topic, other->second));
+  }
   return all;
 }
 

@@ -34,6 +34,8 @@ struct Observations {
   std::string odometry_topic = "odom";
   FrameParameters frames;
   std::map<std::string, std::string> types;  ///< of all topics, by name without leading slash
+  /// Types of topics of a bag whose messages cannot be read, being of another version of it.
+  std::map<std::string, std::string> other_versions;
   std::vector<Arrived<sensor_msgs::NavSatFix>> fixes;
   std::vector<Arrived<nav_msgs::Odometry>> odometry;
   std::vector<Broadcast> transforms;

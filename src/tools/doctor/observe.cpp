@@ -2,11 +2,11 @@
 
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "nodes/bag_file.hpp"
 #include "nodes/conversions.hpp"
 #include "nodes/parameter_server.hpp"
 
@@ -45,6 +45,36 @@ void take(const tf2_msgs::TFMessage& message, const std::string& node, bool is_s
   }
 }
 
+void take_connections(rosbag::View& view, Observations& seen) {
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    const std::string topic = without_slash(connection->topic);
+    seen.types[topic] = connection->datatype;
+    if (of_another_version(*connection)) seen.other_versions[topic] = connection->datatype;
+  }
+  seen.clock = seen.types.count("clock") > 0;
+}
+
+void take(const rosbag::Bag& bag, Observations& seen) {
+  rosbag::View view(bag);
+  take_connections(view, seen);
+  const std::string fix_topic = fix_topic_of(seen);
+  const std::string odometry_topic = odometry_topic_of(seen);
+  for (const rosbag::MessageInstance& message : view) {
+    const std::string topic = without_slash(message.getTopic());
+    const double time = message.getTime().toSec();
+    if (topic == fix_topic) {
+      if (const auto fix = message.instantiate<sensor_msgs::NavSatFix>()) seen.fixes.push_back({*fix, time});
+    }
+    if (topic == odometry_topic) {
+      if (const auto odom = message.instantiate<nav_msgs::Odometry>()) seen.odometry.push_back({*odom, time});
+    }
+    if (topic == "tf" || topic == "tf_static") {
+      const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
+      if (transforms) take(*transforms, message.getCallerId(), topic == "tf_static", seen);
+    }
+  }
+}
+
 /// Takes what comes in for `seconds`. Whether /clock ticks shows in its messages alone: a player without a
 /// clock advertises it too.
 void listen(double seconds, Observations& seen) {
@@ -80,28 +110,7 @@ void listen(double seconds, Observations& seen) {
 
 Observations observe_bag(const std::string& file, const ObservationRequest& request) {
   Observations seen = begin(request);
-  const rosbag::Bag bag(file);
-  rosbag::View view(bag);
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    seen.types[without_slash(connection->topic)] = connection->datatype;
-  }
-  seen.clock = seen.types.count("clock") > 0;
-  const std::string fix_topic = fix_topic_of(seen);
-  const std::string odometry_topic = odometry_topic_of(seen);
-  for (const rosbag::MessageInstance& message : view) {
-    const std::string topic = without_slash(message.getTopic());
-    const double time = message.getTime().toSec();
-    if (topic == fix_topic) {
-      if (const auto fix = message.instantiate<sensor_msgs::NavSatFix>()) seen.fixes.push_back({*fix, time});
-    }
-    if (topic == odometry_topic) {
-      if (const auto odom = message.instantiate<nav_msgs::Odometry>()) seen.odometry.push_back({*odom, time});
-    }
-    if (topic == "tf" || topic == "tf_static") {
-      const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
-      if (transforms) take(*transforms, message.getCallerId(), topic == "tf_static", seen);
-    }
-  }
+  with_bag(file, [&](const rosbag::Bag& bag) { take(bag, seen); });
   return seen;
 }
 

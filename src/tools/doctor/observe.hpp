@@ -15,7 +15,7 @@ struct ObservationRequest {
   double seconds = 10.0;               ///< live: to watch for
 };
 
-/// Everything the checks want of a bag. Throws rosbag::BagException and ParameterError.
+/// Everything the checks want of a bag. Throws DriveError and ParameterError.
 Observations observe_bag(const std::string& file, const ObservationRequest& request);
 
 /// The same of running nodes; needs ros::init. Throws ParameterError.

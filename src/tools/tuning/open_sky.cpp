@@ -18,7 +18,12 @@ std::vector<double> suspicions(const Drive& drive) {
   localizer.start(std::nullopt);
   std::vector<double> stamps;
   std::size_t next = 0;
+  auto restart = drive.restarts.begin();
   for (const OdometryIncrement& increment : drive.odometry) {
+    if (restart != drive.restarts.end() && *restart <= increment.stamp) {
+      localizer.start(std::nullopt);
+      ++restart;
+    }
     localizer.add(increment);
     for (; next < drive.measurements.size() && drive.measurements[next].arrival <= increment.stamp; ++next) {
       localizer.add(drive.measurements[next].measurement);
