@@ -268,7 +268,7 @@ TEST_F(ReadObservations, InVersion2AnEpochOfOtherLinesIsLeftOut) {
     ASSERT_EQ(epochs.size(), 2u) << "which line is whose cannot be told";
     EXPECT_DOUBLE_EQ(epochs[1].time.second, 116402.0);
     EXPECT_EQ(epochs[1].observations.size(), 2u);
-    EXPECT_EQ(left_out(content).size(), 1u);
+    EXPECT_NE(left_out(content).at(0).find("an epoch of "), std::string::npos) << left_out(content)[0];
   }
 }
 
