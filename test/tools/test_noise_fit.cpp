@@ -81,17 +81,6 @@ TEST(NoiseFit, LoneOutliersCountForLittle) {
   EXPECT_LT(told.yaw.high, 0.03);
 }
 
-/// Driving on meanwhile at 2 m/s, which no odometry tells.
-TEST(NoiseFit, ASilenceOfOdometryCountsForLittle) {
-  Drive drive = NoisyDrive{{0.02, 0.01, 0.2, 0.3, 20.0}, 200.0}.record(1);
-  drive.odometry.erase(drive.odometry.begin() + 2000, drive.odometry.begin() + 2160);
-  const NoiseFit told = fit_noise(drive.odometry, drive.fixes());
-  expect_told(told.white, 0.2, "white");
-  EXPECT_LT(told.distance.low, 0.02);
-  EXPECT_LT(told.yaw.low, 0.01);
-  EXPECT_LT(told.yaw.high, 0.03);
-}
-
 TEST(NoiseFit, SaysNothingOfARobotThatStands) {
   Drive drive = NoisyDrive{}.record(1);
   for (OdometryIncrement& increment : drive.odometry) increment.speed = increment.yaw_rate = 0.0;

@@ -17,9 +17,6 @@ constexpr double kGyroBiasSigma = 0.05;  // likewise [rad/s]
 constexpr int kStartYaws = 64;           // tried round the circle
 constexpr double kStartYawSigma = 0.06;  // of the one nearest [rad]
 constexpr double kStartWay = 30.0;       // over which the start's heading is told [m]
-constexpr double kSilentSpeed = 2.0;     // of a robot whose odometry is silent [m/s]
-constexpr double kSilentTurn = 0.1;      // [rad/sqrt(s)]
-constexpr double kSilence = 0.1;         // without odometry [s]
 constexpr double kOutlierShare = 0.01;   // of the fixes
 constexpr double kOutlierSigma = 15.0;   // [m]
 
@@ -56,7 +53,6 @@ FixSequence::FixSequence(const std::vector<OdometryIncrement>& odometry, const s
   for (const GnssFix& fix : fixes) {
     const double then = fix.stamp - delay;
     if (then < now || then > odometry.back().stamp) continue;
-    const double begin = now;
     for (; next < odometry.size() && now < then; next += odometry[next].stamp <= then ? 1 : 0) {
       const double end = std::min(odometry[next].stamp, then);
       const double duration = std::min(end - now, odometry[next].duration);
@@ -67,10 +63,9 @@ FixSequence::FixSequence(const std::vector<OdometryIncrement>& odometry, const s
       }
       now = end;
     }
-    const double silent = then - begin - sum.yaw.duration();
-    legs_.push_back({sum.yaw.duration(), silent > kSilence ? silent : 0.0, sum.yaw.moving_time(),
-                     sum.yaw.turn(0.0), sum.yaw.displacement(0.0, 0.0), sum.yaw.by_scale(),
-                     sum.yaw.by_gyro_bias(), sum.distance.covariance(), sum.yaw.covariance(), fix});
+    legs_.push_back({sum.yaw.duration(), sum.yaw.moving_time(), sum.yaw.turn(0.0),
+                     sum.yaw.displacement(0.0, 0.0), sum.yaw.by_scale(), sum.yaw.by_gyro_bias(),
+                     sum.distance.covariance(), sum.yaw.covariance(), fix});
     sum = Sum();
   }
   start_yaw_ = likeliest_start_yaw();
@@ -137,11 +132,6 @@ void FixSequence::predict(Belief& belief, const Leg& leg, const SensorNoise& noi
       turn *
       (noise.distance * noise.distance * leg.by_distance_noise + noise.yaw * noise.yaw * leg.by_yaw_noise) *
       turn.transpose();
-  if (leg.silent > 0.0) {
-    const double gone = kSilentSpeed * leg.silent;
-    Q.diagonal().head<3>() +=
-        Eigen::Vector3d(gone * gone, gone * gone, kSilentTurn * kSilentTurn * leg.silent);
-  }
   Q(kScale, kScale) = usual.scale_walk * usual.scale_walk * leg.moving_time;
   Q(kGyroBias, kGyroBias) = usual.gyro_bias_walk * usual.gyro_bias_walk * leg.moving_time;
   Q(kEast, kEast) = Q(kNorth, kNorth) = (1.0 - kept * kept) * noise.wander * noise.wander;

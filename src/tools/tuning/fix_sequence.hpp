@@ -36,7 +36,7 @@ struct Explanation {
 /// A Kalman filter over x, y, yaw, speed scale, gyro bias and the fixes' slow error gives the likelihood of
 /// the fixes: noise of the odometry makes errors that grow with the way, a slow error of the fixes ones that
 /// stay bounded, a white one does not last. That tells them apart, and in places without fixes odometry is
-/// asked how far it got. Where odometry was silent the robot may have driven on and turned a little.
+/// asked how far it got.
 class FixSequence {
  public:
   /// `delay`: a fix is of where the robot was that much before its stamp [s]. Fixes outside of the odometry,
@@ -58,7 +58,6 @@ class FixSequence {
   /// Odometry since the fix before, in the base frame at that fix, and the fix at its end.
   struct Leg {
     double duration = 0.0;
-    double silent = 0.0;  ///< time of it without odometry [s]
     double moving_time = 0.0;
     double turn = 0.0;
     Eigen::Vector2d displacement = Eigen::Vector2d::Zero();
