@@ -64,7 +64,7 @@ void write_fix(std::ostream& out, double t, const PointFix& fix, int status) {
     out << "," << known_number(clock(other) - gps, 4);
   }
   out << "," << plain_text(solution.weighted_square_sum) << "," << solution.degrees_of_freedom << "\n";
-  out << "," << short_number(solution.weighted_square_sum) << "," << solution.degrees_of_freedom << ","
+  out << "," << plain_text(solution.weighted_square_sum) << "," << solution.degrees_of_freedom << ","
       << status << "\n";
 }
 
