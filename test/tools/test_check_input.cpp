@@ -53,7 +53,7 @@ TEST(CheckRates, WantOdometryOftenAndWithoutGaps) {
   EXPECT_TRUE(Passes(check_rates(seen)));
   for (std::size_t i = 0; i < seen.odometry.size(); ++i)
     seen.odometry[i].time = 1000.0 + 0.2 * static_cast<double>(i);
-  EXPECT_TRUE(ToFix(check_rates(seen), "odom: 5.0 Hz", "10 Hz or more"));
+  EXPECT_TRUE(ToFix(check_rates(seen), "odom: 5.00 Hz", "10 Hz or more"));
   seen = healthy_robot();
   seen.odometry.erase(seen.odometry.begin() + 100, seen.odometry.begin() + 300);
   EXPECT_TRUE(ToFix(check_rates(seen), "longest gap 10.05 s", "max_gap: 11"));

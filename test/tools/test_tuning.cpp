@@ -47,10 +47,44 @@ TEST(Tuning, WritesADelayThatIsOne) {
   tuning.open_sky = true;
   tuning.fit.white = {0.05, 0.048, 0.052, true, true};
   tuning.fit.delay = {0.3, 0.25, 0.35, true, true};
+  tuning.fit.antenna_ahead = {0.0, -0.1, 0.1, true, true};
   EXPECT_EQ(gnss_parameters(to_yaml(tuning)).delay, 0.3);
   tuning.fit.delay = {0.03, -0.05, 0.11, true, true};
   EXPECT_EQ(gnss_parameters(to_yaml(tuning)).delay, 0.0);
   EXPECT_NE(to_yaml(tuning).find("which may be none"), std::string::npos);
+}
+
+TEST(Tuning, WritesNoDelayThatTheNodeWouldRefuseFixesWith) {
+  Tuning tuning;
+  tuning.open_sky = true;
+  tuning.fit.white = {0.05, 0.048, 0.052, true, true};
+  tuning.fit.antenna_ahead = {0.0, -0.1, 0.1, true, true};
+  tuning.fit.delay = {-0.6, -0.65, -0.55, true, true};
+  EXPECT_EQ(gnss_parameters(to_yaml(tuning)).delay, 0.0);
+  EXPECT_NE(to_yaml(tuning).find("set the clocks"), std::string::npos);
+}
+
+TEST(Tuning, WritesNoScaleThatTheNodeRefuses) {
+  Tuning tuning;
+  tuning.open_sky = true;
+  tuning.fit.white = {0.05, 0.048, 0.052, true, true};
+  tuning.fit.scale = {0.9, 0.01};
+  EXPECT_NO_THROW(filter_parameters(to_yaml(tuning)));
+  EXPECT_NE(to_yaml(tuning).find("# scale_sigma: it is 0.9"), std::string::npos);
+}
+
+TEST(Tuning, SaysBothWhereDelayAndAntennaLookAlike) {
+  Tuning tuning;
+  tuning.open_sky = true;
+  tuning.fit.white = {0.05, 0.048, 0.052, true, true};
+  tuning.fit.way = 100.0;
+  tuning.fit.moving_time = 100.0;
+  tuning.fit.delay = {-0.6, -5.0, 4.0, false, false};
+  tuning.fit.antenna_ahead = {0.3, -5.0, 5.0, false, false};
+  const std::string yaml = to_yaml(tuning);
+  EXPECT_EQ(gnss_parameters(yaml).delay, 0.0);
+  EXPECT_NE(yaml.find("fixes are 0.90 m ahead"), std::string::npos);
+  EXPECT_NE(yaml.find("delay of -0.900 s or by an antenna 0.90 m further ahead"), std::string::npos);
 }
 
 TEST(Tuning, WritesWhatIsToldAndKeepsTheDefaultElsewhere) {
@@ -72,7 +106,7 @@ TEST(Tuning, WritesWhatIsToldAndKeepsTheDefaultElsewhere) {
   EXPECT_EQ(filter["classes"]["street"]["open_bias_sigma"].as<double>(), 0.1);  // what the bag allows of 0.2
   EXPECT_EQ(filter["classes"]["street"]["open_bias_time"].as<double>(), 20.0);
   EXPECT_NE(yaml.find("distance: 0.006  # [m/sqrt(m)] not told by this bag: below 0.03"), std::string::npos);
-  EXPECT_NE(yaml.find("delay: not told by this bag"), std::string::npos);
+  EXPECT_NE(yaml.find("delay, antenna: not told by this bag"), std::string::npos);
 }
 
 TEST(Tuning, LeavesClassesThatSpanWhatWasSeen) {

@@ -5,6 +5,7 @@
 #include "multipath_localization/evaluation/metrics.hpp"
 #include "nodes/conversions.hpp"
 #include "tools/doctor/checks.hpp"
+#include "tools/doctor/shape_fit.hpp"
 
 namespace multipath_localization {
 
@@ -42,18 +43,21 @@ bool rounded(double degrees) { return std::abs(degrees * 1e4 - std::round(degree
 Findings check_status(const Observations& seen) {
   if (seen.fixes.empty()) return {};
   const std::size_t none = count(seen, [](const auto& fix) { return fix.status.status < 0; });
-  if (none == seen.fixes.size()) {
+  if (none == seen.fixes.size() && seen.fix_parameters.min_fix_status > -1) {
     return {fix("fix: every one has status -1 (no fix) and is refused",
                 "wait for the receiver, or where its driver never fills status in: localization.yaml, fix: "
                 "{min_fix_status: -1}")};
   }
-  return {pass(none == 0 ? "fix: all have a status of a fix"
-                         : of_all(none, seen, "have status -1 and are refused"))};
+  return {pass(none == 0
+                   ? "fix: all have a status of a fix"
+                   : of_all(none, seen,
+                            seen.fix_parameters.min_fix_status > -1 ? "have status -1 and are refused"
+                                                                    : "have status -1, and count as told"))};
 }
 
 Findings check_declared_covariance(const Observations& seen) {
   if (seen.fixes.empty()) return {};
-  const FixParameters node;
+  const FixParameters& node = seen.fix_parameters;
   FixParameters any_status = node;
   any_status.min_fix_status = -1;
   const std::size_t refused =
@@ -70,9 +74,11 @@ Findings check_declared_covariance(const Observations& seen) {
   }
   const std::size_t unknown = count(seen, [](const auto& fix) { return std::isnan(declared_sigma(fix)); });
   if (unknown > 0) {
+    const std::string what =
+        of_all(unknown, seen, text("declare no covariance; they count as %g m", node.default_sigma).c_str());
+    if (node.default_sigma != FixParameters{}.default_sigma) return {pass(what + ", as told")};
     return {fix(
-        of_all(unknown, seen, text("declare no covariance; they count as %g m", node.default_sigma).c_str()),
-        "localization.yaml, fix: {default_sigma: S}, S what fixes scatter by while the robot stands")};
+        what, "localization.yaml, fix: {default_sigma: S}, S what fixes scatter by while the robot stands")};
   }
   const double first = declared_sigma(seen.fixes.front().message);
   const bool constant = seen.fixes.size() > 1 &&
@@ -88,6 +94,10 @@ Findings check_scatter(const Observations& seen) {
     differences.push_back(std::abs(chord.by_fixes.norm() - chord.by_odometry.norm()));
   }
   const double declared = median_declared(seen);
+  if (!fit_shape(motion.fixes, motion.track).same_shape()) {
+    return {untold(
+        "fix: its way and that of odometry differ in shape, so they do not tell how much fixes scatter")};
+  }
   if (differences.size() < kEnoughChords || std::isnan(declared)) {
     return {untold("fix: too little driving with fixes to see how much they scatter")};
   }
@@ -96,7 +106,7 @@ Findings check_scatter(const Observations& seen) {
                                 observed, kShortestChord, declared);
   if (observed <= kWorstLie * declared) return {pass(what)};
   return {fix(what,
-              text("localization.yaml, multipath_particle_filter: {classes: {street: {quiet_sigma: %.2f}}}; "
+              text("localization.yaml, multipath_particle_filter: {classes: {street: {quiet_sigma: %.3g}}}; "
                    "an estimator that believes declared covariances will be too sure",
                    observed))};
 }
@@ -115,7 +125,7 @@ Findings check_frozen(const Observations& seen) {
     if (from && to) longest = std::max(longest, *to - *from);
   }
   const std::string what = text("fix: the same to the bit over %.1f m of way at most", longest);
-  if (longest <= LocalizerParameters{}.frozen_distance) return {pass(what)};
+  if (longest <= seen.localizer_parameters.frozen_distance) return {pass(what)};
   return {fix(
       what, "restart the receiver's driver: rosnode kill DRIVER, with respawn=\"true\" in its launch file")};
 }
@@ -124,8 +134,8 @@ Findings check_datum(const Observations& seen) {
   if (seen.datum.size() < 2) return {};
   const std::string what = text("datum: %.9g, %.9g", seen.datum[0], seen.datum[1]);
   const Geodetic datum{seen.datum[0], seen.datum[1], 0.0};
-  const auto usable = std::find_if(seen.fixes.begin(), seen.fixes.end(), [](const auto& arrived) {
-    return check(arrived.message, FixParameters{}) == Reason::kAccepted;
+  const auto usable = std::find_if(seen.fixes.begin(), seen.fixes.end(), [&](const auto& arrived) {
+    return check(arrived.message, seen.fix_parameters) == Reason::kAccepted;
   });
   const std::string by_fix =
       usable == seen.fixes.end()

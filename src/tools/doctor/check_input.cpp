@@ -13,6 +13,10 @@ constexpr double kSlowestFixes = 0.5;      // [Hz]
 constexpr double kSlowestOdometry = 10.0;  // [Hz]
 constexpr double kClockError = 1.0;        // of odometry, which comes in as soon as it is stamped [s]
 constexpr double kOtherClock = 10.0;       // no receiver is that late [s]
+constexpr double kNearly = 0.95;           // of a rate, which is as good
+constexpr double kLongestBridge = 60.0;    // nobody knows where a robot went for longer [s]
+constexpr double kBurst = 0.3;             // of the mean interval, within a burst
+constexpr double kManyInBursts = 0.4;      // of the intervals
 constexpr char kSetTheClock[] =
     "sudo chronyc makestep on every host, with chrony fed by NTP or by the receiver";
 
@@ -74,20 +78,34 @@ Finding topic_of(const Observations& seen, const Input& in) {
              "start the driver, or name the topic: --" + in.argument + "-topic TOPIC");
 }
 
-Finding rate_of(const Input& in) {
+Finding rate_of(const Input& in, double bridged) {
   const double span = in.arrivals.back() - in.arrivals.front();
   const double rate = static_cast<double>(in.arrivals.size() - 1) / std::max(span, 1e-3);
   double gap = 0.0;
   for (std::size_t i = 1; i < in.arrivals.size(); ++i)
     gap = std::max(gap, in.arrivals[i] - in.arrivals[i - 1]);
-  const std::string seen = text("%s: %.1f Hz, longest gap %.2f s", in.argument.c_str(), rate, gap);
-  if (rate < in.slowest) return fix(seen, text("set the driver's rate to %g Hz or more", in.slowest));
-  const double bridged = OdometryParameters{}.max_gap;
+  const std::string seen = text("%s: %.2f Hz, longest gap %.2f s", in.argument.c_str(), rate, gap);
+  if (rate < kNearly * in.slowest)
+    return fix(seen, text("set the driver's rate to %g Hz or more", in.slowest));
   if (in.argument == "odom" && gap > bridged) {
-    return fix(seen, text("find what stops it, or bridge it: localization.yaml, odometry: {max_gap: %.0f}",
-                          std::ceil(gap)));
+    const bool bridgeable = gap < kLongestBridge;
+    return fix(seen, "find what stops it" +
+                         (bridgeable ? text(", or bridge it: localization.yaml, odometry: {max_gap: %.0f}",
+                                            std::ceil(gap))
+                                     : std::string()));
   }
   return pass(seen);
+}
+
+/// Whether many stamps follow the one before much sooner than the mean.
+bool comes_in_bursts(const Input& in) {
+  const auto count = static_cast<double>(in.stamps.size() - 1);
+  const double mean = (in.stamps.back() - in.stamps.front()) / count;
+  double soon = 0.0;
+  for (std::size_t i = 1; i < in.stamps.size(); ++i) {
+    if (in.stamps[i] - in.stamps[i - 1] < kBurst * mean) ++soon;
+  }
+  return soon > kManyInBursts * count;
 }
 
 Finding stamps_of(const Input& in) {
@@ -110,9 +128,15 @@ Finding stamps_of(const Input& in) {
   }
   if (repeated > 0) {
     return fix(what + text("%zu stamps come twice", repeated),
-               "run one driver on this topic only: rostopic info /" + in.found);
+               "run one driver on this topic only (rostopic info /" + in.found +
+                   "); if there is one, stamp each message with the time its data are of, not with that of a "
+                   "packet of several");
   }
-  return pass(what + "stamps increase");
+  return comes_in_bursts(in)
+             ? untold(what +
+                      "stamps come in bursts, as times of arrival do: stamped when sampled it would be more "
+                      "precise")
+             : pass(what + "stamps increase");
 }
 
 /// Median of arrival - stamp [s].
@@ -137,7 +161,7 @@ Findings check_topics(const Observations& seen) {
 Findings check_rates(const Observations& seen) {
   Findings all;
   for (const Input& in : inputs(seen)) {
-    if (in.arrivals.size() > 1) all.push_back(rate_of(in));
+    if (in.arrivals.size() > 1) all.push_back(rate_of(in, seen.odometry_parameters.max_gap));
   }
   return all;
 }
@@ -155,7 +179,7 @@ Findings check_clocks(const Observations& seen) {
   if (both[0].stamps.empty() || both[1].stamps.empty()) return {};
   const double odometry_late = lateness(both[1]);
   const double behind = lateness(both[0]) - odometry_late;
-  const LocalizerParameters node;
+  const LocalizerParameters& node = seen.localizer_parameters;
   Findings all;
   if (behind < -node.future_tolerance || behind > kOtherClock) {
     all.push_back(fix(text("fix: stamped %.2f s %s the odometry that comes in with it: two clocks",

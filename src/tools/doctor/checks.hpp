@@ -36,11 +36,12 @@ Findings check_frozen(const Observations& seen);
 /// A datum that is rounded or far away.
 Findings check_datum(const Observations& seen);
 
-/// Twist of the odometry against the differences of its poses: empty, sign, scale.
+/// Twist of the odometry against the differences of its poses: empty, frame, motion sideways, sign, scale;
+/// the fixes say which of the two is wrong.
 Findings check_twist(const Observations& seen);
-/// Turns of odometry against turns of the course of the fixes: mirrored, or NED.
+/// Curves of odometry against those of the fixes: mirrored, or NED.
 Findings check_turns(const Observations& seen);
-/// Way by odometry against way by fixes: scale.
+/// Way by odometry against way by fixes: scale, where the two have the same shape.
 Findings check_scale(const Observations& seen);
 
 /// All of them, in this order.

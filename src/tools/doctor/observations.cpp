@@ -14,7 +14,7 @@ namespace {
 std::vector<GnssFix> fixes_of(const Observations& seen) {
   std::vector<GnssFix> fixes;
   std::optional<LocalFrame> map;
-  const FixParameters parameters;
+  const FixParameters& parameters = seen.fix_parameters;
   for (const auto& arrived : seen.fixes) {
     if (check(arrived.message, parameters) != Reason::kAccepted) continue;
     if (!map) map.emplace(to_geodetic(arrived.message));
@@ -25,11 +25,17 @@ std::vector<GnssFix> fixes_of(const Observations& seen) {
   return fixes;
 }
 
-std::vector<OdometryIncrement> increments_of(const Observations& seen) {
+nav_msgs::Odometry said_by(Voice voice, nav_msgs::Odometry message) {
+  if (voice == Voice::kPoses) message.twist.twist = geometry_msgs::Twist();
+  if (voice == Voice::kTwist) message.pose.pose = geometry_msgs::Pose();
+  return message;
+}
+
+std::vector<OdometryIncrement> increments_of(const Observations& seen, Voice voice) {
   std::vector<OdometryIncrement> increments;
-  OdometryReader reader({}, seen.frames.map_frame);
+  OdometryReader reader(seen.odometry_parameters, seen.frames.map_frame);
   for (const auto& arrived : seen.odometry) {
-    const CheckedOdometry checked = reader.read(arrived.message);
+    const CheckedOdometry checked = reader.read(said_by(voice, arrived.message));
     if (checked.restarted) increments.clear();
     if (checked.reason == Reason::kAccepted) increments.push_back(checked.increment);
   }
@@ -49,8 +55,8 @@ bool is_output(const std::string& topic) {
 
 }  // namespace
 
-Motion motion_of(const Observations& seen) {
-  const std::vector<OdometryIncrement> increments = increments_of(seen);
+Motion motion_of(const Observations& seen, Voice voice) {
+  const std::vector<OdometryIncrement> increments = increments_of(seen, voice);
   return {fixes_of(seen), increments, OdometryTrack(increments)};
 }
 

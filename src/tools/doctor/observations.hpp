@@ -41,6 +41,9 @@ struct Observations {
   std::vector<Broadcast> transforms;
   std::vector<double> datum;    ///< of the parameters, empty for none
   std::vector<double> antenna;  ///< of the parameters, empty for none
+  FixParameters fix_parameters;
+  OdometryParameters odometry_parameters;
+  LocalizerParameters localizer_parameters;
   bool from_bag = true;
   bool use_sim_time = false;  ///< live: the parameter /use_sim_time
   bool clock = false;         ///< somebody publishes /clock, or it was recorded
@@ -53,7 +56,9 @@ struct Motion {
   std::vector<OdometryIncrement> increments;
   OdometryTrack track;
 };
-Motion motion_of(const Observations& seen);
+/// What of the odometry is read: both as the node does, or its poses or its twist alone.
+enum class Voice { kBoth, kPoses, kTwist };
+Motion motion_of(const Observations& seen, Voice voice = Voice::kBoth);
 
 /// The name `asked` if there is such a topic, else the only topic of that type that is not the output of a
 /// localisation, else `asked`.

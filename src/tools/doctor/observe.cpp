@@ -21,6 +21,9 @@ void take_parameters(const YAML::Node& source, Observations& seen) {
   seen.frames = parameters.frames;
   seen.datum = parameters.datum.numbers;
   seen.antenna = parameters.gnss.antenna;
+  seen.fix_parameters = parameters.gnss.fix;
+  seen.odometry_parameters = parameters.odometry;
+  seen.localizer_parameters = parameters.localizer;
 }
 
 Observations begin(const ObservationRequest& request) {

@@ -1,8 +1,10 @@
 #include "tools/tuning/noise_fit.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -20,6 +22,11 @@ constexpr double kWalkStep = 0.5;       // of a logarithm, in search of the ends
 constexpr double kCoarse = 0.8, kFine = 0.02, kFineAside = 0.1;
 constexpr double kLongestDelay = 1.0;  // [s]
 constexpr double kDelayStep = 0.1, kFinestDelay = 0.002;
+constexpr double kFarthestAntenna = 5.0;  // from where it is told to be [m]
+constexpr double kAntennaStep = 0.1;      // [m]
+constexpr double kWidestDelay = 0.3;      // range of one that is told, to either side [s]
+constexpr double kWidestAntenna = 0.5;    // likewise [m]
+constexpr double kApart = 0.02;           // one less the squared correlation of two that are told apart
 
 constexpr std::size_t kNumbers = 5;
 
@@ -121,31 +128,82 @@ Told told(const Landscape& landscape, const Optimum& top, std::size_t i) {
   return result;
 }
 
-/// The likeliest delay for a noise, and how far off it may be by the curvature there.
-Told fit_delay(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes,
-               const SensorNoise& noise) {
-  const auto at = [&](double delay) {
-    const FixSequence sequence(odometry, fixes, delay);
-    return sequence.explain(noise).log_likelihood /
-           static_cast<double>(std::max(sequence.size(), kFewestFixes));
-  };
-  double best = 0.0, likelihood = at(best);
-  for (double step = kDelayStep; step >= kFinestDelay; step *= 0.5) {
-    for (bool moved = true; moved;) {
-      moved = false;
-      for (const double tried : {best + step, best - step}) {
-        const double there = at(tried);
-        if (there <= likelihood || std::abs(tried) > kLongestDelay) continue;
-        best = tried, likelihood = there, moved = true;
-        break;
+/// Delay and how much further ahead the antenna is than told, with the likelihood of a noise and both. A
+/// delay moves the antenna back by the way of that time, so at one speed the two are one.
+class DelayAndAntenna {
+ public:
+  using Point = Eigen::Vector2d;  ///< [s], [m]
+
+  DelayAndAntenna(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes,
+                  const SensorNoise& noise)
+      : odometry_(odometry), fixes_(fixes), noise_(noise) {}
+
+  /// Log likelihood, as of all fixes whatever the delay leaves out.
+  [[nodiscard]] double operator()(const Point& at) const {
+    std::vector<GnssFix> moved = fixes_;
+    for (GnssFix& fix : moved) fix.antenna_in_base.x() += at.y();
+    const FixSequence sequence(odometry_, moved, at.x());
+    return sequence.explain(noise_).log_likelihood /
+           static_cast<double>(std::max(sequence.size(), kFewestFixes)) * static_cast<double>(fixes_.size());
+  }
+
+  [[nodiscard]] Point likeliest() const {
+    Point best(0.0, 0.0);
+    double likelihood = (*this)(best);
+    for (double step = 1.0; step >= kFinestDelay / kDelayStep; step *= 0.5) {
+      for (bool moved = true; moved;) {
+        moved = false;
+        for (const Point& way : {Point(1, 0), Point(0, 1), Point(1, 1), Point(1, -1)}) {
+          for (const double sign : {step, -step}) {
+            const Point tried = best + sign * way.cwiseProduct(Point(kDelayStep, kAntennaStep));
+            const double there = (*this)(tried);
+            const bool beyond = std::abs(tried.x()) > kLongestDelay || std::abs(tried.y()) > kFarthestAntenna;
+            if (there <= likelihood || beyond) continue;
+            best = tried, likelihood = there, moved = true;
+          }
+        }
       }
     }
+    return best;
   }
-  const double h = 0.5 * kDelayStep;
-  const double curvature =
-      -(at(best + h) - 2.0 * likelihood + at(best - h)) / (h * h) * static_cast<double>(fixes.size());
-  const double off = curvature > 0.0 ? std::sqrt(2.0 * kClearlyWorse / curvature) : kLongestDelay;
-  return {best, best - off, best + off, off < kLongestDelay, off < kLongestDelay};
+
+  /// Covariance by the curvature there; nothing where the two are not told apart.
+  [[nodiscard]] std::optional<Eigen::Matrix2d> covariance(const Point& top) const {
+    const Point h(0.5 * kDelayStep, 0.5 * kAntennaStep);
+    const auto at = [&](double i, double j) { return (*this)(top + Point(i * h.x(), j * h.y())); };
+    const double centre = at(0, 0);
+    Eigen::Matrix2d information;
+    information(0, 0) = -(at(1, 0) - 2.0 * centre + at(-1, 0)) / (h.x() * h.x());
+    information(1, 1) = -(at(0, 1) - 2.0 * centre + at(0, -1)) / (h.y() * h.y());
+    information(0, 1) = information(1, 0) =
+        -(at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / (4.0 * h.x() * h.y());
+    const double own = information(0, 0) * information(1, 1);
+    if (!(information(0, 0) > 0.0) || !(information.determinant() > kApart * own)) return std::nullopt;
+    return information.inverse();
+  }
+
+ private:
+  const std::vector<OdometryIncrement>& odometry_;
+  const std::vector<GnssFix>& fixes_;
+  SensorNoise noise_;
+};
+
+/// A value and its range by a variance.
+Told with_range(double value, double variance, double widest) {
+  const double off = std::sqrt(2.0 * kClearlyWorse * variance);
+  return {value, value - off, value + off, off < widest, off < widest};
+}
+
+void fit_delay(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes,
+               const SensorNoise& noise, NoiseFit& fit) {
+  const DelayAndAntenna likelihood(odometry, fixes, noise);
+  const DelayAndAntenna::Point top = likelihood.likeliest();
+  const auto covariance = likelihood.covariance(top);
+  const Eigen::Vector2d variance = covariance
+                                       ? Eigen::Vector2d(covariance->diagonal())
+                                       : Eigen::Vector2d::Constant(kFarthestAntenna * kFarthestAntenna);
+  fit.delay = with_range(top.x(), variance.x(), kWidestDelay);
+  fit.antenna_ahead = with_range(top.y(), variance.y(), kWidestAntenna);
 }
 
 }  // namespace
@@ -161,9 +219,11 @@ NoiseFit fit_noise(const std::vector<OdometryIncrement>& reported, const std::ve
   fit.moving_time = undelayed.moving_time();
   if (fit.fixes < kFewestFixes || fit.moving_time < kFewestMoving) return fit;
   const Optimum rough = Landscape(undelayed).climb(logs_of({}), kCoarse, 0.1);
-  fit.delay = fit_delay(odometry, fixes, noise_of(rough.logs));
+  fit_delay(odometry, fixes, noise_of(rough.logs), fit);
 
-  const FixSequence sequence(odometry, fixes, fit.delay.value);
+  std::vector<GnssFix> placed = fixes;
+  for (GnssFix& fix : placed) fix.antenna_in_base.x() += fit.antenna_ahead.value;
+  const FixSequence sequence(odometry, placed, fit.delay.value);
   const Landscape landscape(sequence);
   const Optimum top = landscape.climb(rough.logs, 0.4, kFine);
   fit.distance = told(landscape, top, 0);

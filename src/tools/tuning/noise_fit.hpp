@@ -28,7 +28,10 @@ struct NoiseFit {
   Told white;        ///< [m]
   Told wander;       ///< [m]
   Told wander_time;  ///< [s]
-  Told delay;        ///< of the fixes' stamps behind the odometry's [s]; `low` and `high` count only
+  /// Of the fixes' stamps behind the odometry's [s]; told where speeds differ enough to part it from
+  /// `antenna_ahead`, of which one second is worth a second's way.
+  Told delay;
+  Told antenna_ahead;  ///< how much further ahead the antenna is than told [m]; told likewise
   FittedConstant scale;
   FittedConstant gyro_bias;
   std::size_t fixes = 0;

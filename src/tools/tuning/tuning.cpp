@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/estimators/localizer.hpp"
 #include "multipath_localization/models/preintegrated_odometry.hpp"
 #include "multipath_localization/models/receiver_class.hpp"
 #include "tools/doctor/finding.hpp"
@@ -14,6 +15,8 @@ namespace {
 
 constexpr double kBetterThanStreet = 0.5;  // of its quiet_sigma
 constexpr double kEnoughOpenSky = 0.2;     // of the fixes
+constexpr double kWidestConstant = 0.5;    // of scale_sigma and gyro_bias_sigma
+constexpr double kNothing = 0.05;          // less is not worth a word [m]
 
 std::string range(const Told& number) {
   if (number.low_told && number.high_told) return text("%.3g..%.3g", number.low, number.high);
@@ -41,6 +44,10 @@ std::string line(const char* indent, const char* key, const Told& number, double
 /// A constant of the odometer: `usual` has to be wide enough for it.
 std::string line(const char* key, const FittedConstant& constant, double usual, const char* unit) {
   const double needed = std::abs(constant.value) + constant.sigma;
+  if (needed > kWidestConstant) {
+    return text("    # %s: it is %.3g, more than the node takes: mend the base driver (doctor says what)\n",
+                key, constant.value);
+  }
   return text("    %s: %.3g  # [%s] told: it is %.3g, give or take %.2g%s\n", key, std::max(usual, needed),
               unit, constant.value, 2.0 * constant.sigma,
               needed > usual ? "; better take it off in the base driver" : "");
@@ -73,15 +80,53 @@ std::string class_lines(const Tuning& tuning) {
               "Drive for ten of these, or there is no slow error.");
 }
 
-std::string delay_line(const Told& delay) {
-  if (!delay.low_told) return "# delay: not told by this bag; drive faster and with stops\n";
-  const bool may_be_none = delay.low <= 0.0 && delay.high >= 0.0;
-  return (may_be_none ? "# " : "") +
-         text(
-             "delay: %.3f  # [s] (%.3f..%.3f) fixes are of so long before their stamps on odometry's "
-             "clock%s\n",
-             delay.value, delay.low, delay.high,
-             may_be_none ? ", which may be none" : "; an antenna further back than told looks the same");
+bool may_be_none(const Told& number) { return number.low <= 0.0 && number.high >= 0.0; }
+
+/// What delay and antenna look like together, where they are not told apart: at this speed.
+std::string together_lines(const NoiseFit& fit) {
+  if (!(fit.way > 0.0)) return "# delay, antenna: not told by this bag\n";
+  const double speed = fit.way / fit.moving_time;
+  const double behind = fit.delay.value * speed - fit.antenna_ahead.value;
+  const std::string seen = std::abs(behind) < kNothing
+                               ? std::string("fixes are where they are to be")
+                               : text("fixes are %.2f m %s of where they are to be", std::abs(behind),
+                                      behind > 0.0 ? "behind" : "ahead");
+  return text(
+      "# delay, antenna: not told apart by this bag, its speed hardly varies: %s, be it\n"
+      "#   by a delay of %.3f s or by an antenna %.2f m further %s than told. Measure the antenna, or drive\n"
+      "#   at several speeds.\n",
+      seen.c_str(), behind / speed, std::abs(behind), behind > 0.0 ? "back" : "ahead");
+}
+
+std::string delay_line(const NoiseFit& fit) {
+  const Told& delay = fit.delay;
+  const bool too_early = -delay.value >= LocalizerParameters{}.future_tolerance;
+  const bool active = !may_be_none(delay) && !too_early;
+  const char* remark = "";
+  if (may_be_none(delay)) remark = ", which may be none";
+  if (too_early) {
+    remark =
+        ": two clocks, and the node would refuse such fixes as of the future; set the clocks (chronyc "
+        "makestep)";
+  }
+  return (active ? "" : "# ") + text(
+                                    "delay: %.3f  # [s] (%.3f..%.3f) fixes are of so long before their "
+                                    "stamps on odometry's clock%s\n",
+                                    delay.value, delay.low, delay.high, remark);
+}
+
+std::string antenna_line(const Told& ahead) {
+  if (may_be_none(ahead) || std::abs(ahead.value) < kNothing) return "";
+  return text(
+      "# antenna: %.2f m (%.2f..%.2f) further %s than told; measure it and say so by tf or by antenna: [X, "
+      "Y]\n",
+      std::abs(ahead.value), std::min(std::abs(ahead.low), std::abs(ahead.high)),
+      std::max(std::abs(ahead.low), std::abs(ahead.high)), ahead.value > 0.0 ? "ahead" : "back");
+}
+
+std::string stamp_lines(const NoiseFit& fit) {
+  if (!fit.delay.low_told || !fit.antenna_ahead.low_told) return together_lines(fit);
+  return delay_line(fit) + antenna_line(fit.antenna_ahead);
 }
 
 }  // namespace
@@ -110,7 +155,7 @@ std::string to_yaml(const Tuning& tuning) {
          line("    ", "distance", fit.distance, usual.distance, "m/sqrt(m)",
               "The fixes are too coarse; a tape tells.") +
          line("    ", "yaw", fit.yaw, usual.yaw, "rad/sqrt(s)", "Drive further.") + class_lines(tuning) +
-         delay_line(fit.delay);
+         stamp_lines(fit);
 }
 
 }  // namespace multipath_localization
