@@ -1,23 +1,6 @@
 #include "multipath_localization/estimators/belief.hpp"
 
-#include <Eigen/LU>
-
 namespace multipath_localization {
-
-namespace {
-
-using FixJacobian = Eigen::Matrix<double, 2, kStateSize>;
-
-/// d(fix) / d(state).
-FixJacobian fix_jacobian(const Eigen::Vector2d& lever_in_map) {
-  FixJacobian H = FixJacobian::Zero();
-  H.leftCols<2>().setIdentity();
-  H.col(kYaw) = Eigen::Vector2d(-lever_in_map.y(), lever_in_map.x());
-  H.rightCols<2>().setIdentity();
-  return H;
-}
-
-}  // namespace
 
 void Belief::propagate(const PreintegratedOdometry& odometry, const OdometryNoise& noise) {
   const Eigen::Matrix2d R = rotation(mean(kYaw));
@@ -38,45 +21,6 @@ void Belief::propagate(const PreintegratedOdometry& odometry, const OdometryNois
 
   mean(kYaw) = wrap_angle(mean(kYaw) + odometry.turn(mean(kGyroBias)));
   mean.head<2>() += d;
-}
-
-void Belief::correct(const Eigen::Vector2d& fix, const Eigen::Vector2d& antenna_in_base, double r) {
-  const FixJacobian H = fix_jacobian(rotation(mean(kYaw)) * antenna_in_base);
-  const Eigen::Matrix<double, kStateSize, 2> PHt = covariance * H.transpose();
-  const Eigen::Matrix2d S = H * PHt + r * Eigen::Matrix2d::Identity();
-  const Eigen::Matrix<double, kStateSize, 2> K = PHt * S.inverse();
-  const Eigen::Vector2d innovation = fix - (pose() * antenna_in_base + mean.tail<2>());
-  mean += K * innovation;
-  mean(kYaw) = wrap_angle(mean(kYaw));
-  // Joseph form: stays symmetric and positive over hours.
-  const Matrix IKH = Matrix::Identity() - K * H;
-  covariance = (IKH * covariance * IKH.transpose() + r * K * K.transpose()).eval();
-}
-
-void Belief::decay_bias(double factor, double q) {
-  mean.tail<2>() *= factor;
-  covariance.bottomRows<2>() *= factor;
-  covariance.rightCols<2>() *= factor;
-  covariance.bottomRightCorner<2, 2>().diagonal().array() += q;
-}
-
-void Belief::renew_bias(double variance) {
-  renew(kBiasX, 0.0, variance);
-  renew(kBiasY, 0.0, variance);
-}
-
-void Belief::move_by_bias(double variance) {
-  mean.head<2>() += mean.tail<2>();
-  covariance.topRows<2>() += covariance.bottomRows<2>().eval();
-  covariance.leftCols<2>() += covariance.rightCols<2>().eval();
-  renew_bias(variance);
-}
-
-void Belief::renew(StateIndex index, double value, double variance) {
-  mean(index) = value;
-  covariance.row(index).setZero();
-  covariance.col(index).setZero();
-  covariance(index, index) = variance;
 }
 
 FixPrediction::FixPrediction(const Belief& belief, const Eigen::Vector2d& antenna_in_base)

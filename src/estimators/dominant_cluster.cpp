@@ -33,7 +33,7 @@ class Agreement {
   double reach_squared_;
 };
 
-std::vector<std::size_t> heaviest(const std::vector<BeliefParticle>& particles) {
+std::vector<std::size_t> heaviest(const std::vector<WeightedBelief>& particles) {
   std::vector<std::size_t> order(particles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const std::size_t count = std::min(kCentres, order.size());
@@ -47,7 +47,7 @@ std::vector<std::size_t> heaviest(const std::vector<BeliefParticle>& particles) 
 }
 
 /// Evenly over the weight: a cluster gets as many as its mass is worth, though its hypotheses be light.
-std::vector<std::size_t> spread(const std::vector<BeliefParticle>& particles) {
+std::vector<std::size_t> spread(const std::vector<WeightedBelief>& particles) {
   std::vector<std::size_t> chosen;
   double cumulative = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -64,19 +64,19 @@ struct Centre {
   double mass = 0.0;
 };
 
-Centre best_of(const std::vector<std::size_t>& candidates, const std::vector<BeliefParticle>& particles,
+Centre best_of(const std::vector<std::size_t>& candidates, const std::vector<WeightedBelief>& particles,
                double heading_reach, Centre best) {
   for (const std::size_t candidate : candidates) {
     const Agreement agrees(particles[candidate].belief, heading_reach);
     double mass = 0.0;
-    for (const BeliefParticle& particle : particles) mass += agrees(particle.belief) ? particle.weight : 0.0;
+    for (const WeightedBelief& particle : particles) mass += agrees(particle.belief) ? particle.weight : 0.0;
     if (mass > best.mass) best = {candidate, mass};
   }
   return best;
 }
 
 /// No other cluster can outweigh one of more than half.
-Centre dominant_centre(const std::vector<BeliefParticle>& particles, double heading_reach) {
+Centre dominant_centre(const std::vector<WeightedBelief>& particles, double heading_reach) {
   const Centre best = best_of(heaviest(particles), particles, heading_reach, {});
   return best.mass > 0.5 ? best : best_of(spread(particles), particles, heading_reach, best);
 }
@@ -89,23 +89,23 @@ Belief::Vector deviation(const Belief& belief, const Belief::Vector& mean) {
 
 }  // namespace
 
-DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles, double heading_reach) {
+DominantCluster dominant_cluster(const std::vector<WeightedBelief>& particles, double heading_reach) {
   DominantCluster cluster;
   const Centre centre = dominant_centre(particles, heading_reach);
   cluster.mass = centre.mass;
   const Agreement agrees(particles[centre.index].belief, heading_reach);
   Belief& belief = cluster.belief;
   Eigen::Vector2d heading = Eigen::Vector2d::Zero();
-  for (const BeliefParticle& particle : particles) {
+  for (const WeightedBelief& particle : particles) {
     if (!agrees(particle.belief)) continue;
     const double share = particle.weight / cluster.mass;
     belief.mean += share * particle.belief.mean;
     heading +=
         share * Eigen::Vector2d(std::cos(particle.belief.mean(kYaw)), std::sin(particle.belief.mean(kYaw)));
-    if (particle.mode.shadow) cluster.shadow += share;
+    if (particle.in_shadow) cluster.shadow += share;
   }
   belief.mean(kYaw) = std::atan2(heading.y(), heading.x());
-  for (const BeliefParticle& particle : particles) {
+  for (const WeightedBelief& particle : particles) {
     const Belief::Vector d = deviation(particle.belief, belief.mean);
     cluster.overall_position_covariance +=
         particle.weight *

@@ -17,6 +17,7 @@ PosePrior prior_before(const OdometryIncrement& u, const PoseEstimate& estimate,
   PosePrior prior;
   prior.stamp = u.stamp - u.duration;
   prior.pose = estimate.pose * inverse(displacement(u));
+  prior.confirmed = true;
   const Eigen::Vector2d back = prior.pose.position() - estimate.pose.position();
   Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
   by_pose.block<2, 1>(0, 2) << -back.y(), back.x();

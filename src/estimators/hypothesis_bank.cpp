@@ -76,14 +76,14 @@ void thin_out(std::vector<PseudorangeHypothesis>& bank, double least) {
   for (std::size_t k = 0; k < bank.size(); ++k) bank[k].log_weight = std::log(weights[k]);
 }
 
-std::vector<BeliefParticle> planar(const std::vector<PseudorangeHypothesis>& bank) {
+std::vector<WeightedBelief> planar(const std::vector<PseudorangeHypothesis>& bank) {
   const std::vector<double> weights = weights_of(bank);
-  std::vector<BeliefParticle> particles;
+  std::vector<WeightedBelief> particles;
   particles.reserve(bank.size());
   for (std::size_t i = 0; i < bank.size(); ++i) {
-    BeliefParticle particle;
+    WeightedBelief particle;
     particle.belief = bank[i].belief.planar();
-    particle.mode.shadow = bank[i].line_of_sight_share < 0.5;
+    particle.in_shadow = bank[i].line_of_sight_share < 0.5;
     particle.weight = weights[i];
     particles.push_back(particle);
   }

@@ -162,8 +162,7 @@ Trust Localizer::state() const {
   const double variance = estimate.position_covariance_overall.trace();
   if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return Trust::kLost;
   if (now_ - last_accepted() > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
-  const bool biased = estimate.shadow_probability > 0.5 || estimate.canyon_probability > 0.5;
-  return biased ? Trust::kMultipath : Trust::kGood;
+  return estimate.shadow_probability > 0.5 ? Trust::kMultipath : Trust::kGood;
 }
 
 double Localizer::last_accepted() const {

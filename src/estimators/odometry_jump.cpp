@@ -1,6 +1,7 @@
 #include "multipath_localization/estimators/odometry_jump.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace multipath_localization {
 
@@ -25,28 +26,29 @@ void OdometryJump::add(const OdometryIncrement& u) {
   current_.way += u.duration * Eigen::Vector2d(u.speed, u.lateral_speed);
   current_.turn += u.yaw_rate * u.duration;
   if (current_.duration < kWindow - kRounding) return;
-  jump_ = jump_ || (last_but_one_ && jumped(*last_but_one_, *last_, current_));
+  if (last_but_one_) {
+    const Jump now = between(*last_but_one_, *last_, current_);
+    jump_ = {jump_.speed || now.speed, jump_.turn || now.turn};
+  }
   last_but_one_ = last_;
   last_ = current_;
   current_ = {};
 }
 
-bool OdometryJump::jumped(const Window& before, const Window& between, const Window& after) const {
-  const double time = between.duration + 0.5 * (before.duration + after.duration);
+OdometryJump::Jump OdometryJump::between(const Window& before, const Window& middle,
+                                         const Window& after) const {
+  const double time = middle.duration + 0.5 * (before.duration + after.duration);
   const Eigen::Vector2d change = after.way / after.duration - before.way / before.duration;
   const double speed = std::hypot(change.x(), change.y());
   const double yaw_rate = after.turn / after.duration - before.turn / before.duration;
   const double way = std::hypot(before.way.x(), before.way.y()) + std::hypot(after.way.x(), after.way.y());
   const double speed_noise = noise_.distance * std::sqrt(way) / after.duration;
   const double yaw_rate_noise = noise_.yaw * std::sqrt(before.duration + after.duration) / after.duration;
-  return speed > parameters_.largest_acceleration * time + kNoiseGate * speed_noise ||
-         std::abs(yaw_rate) > parameters_.largest_yaw_acceleration * time + kNoiseGate * yaw_rate_noise;
+  const double most_speed = parameters_.largest_acceleration * time + kNoiseGate * speed_noise;
+  const double most_turn = parameters_.largest_yaw_acceleration * time + kNoiseGate * yaw_rate_noise;
+  return {speed > most_speed, std::abs(yaw_rate) > most_turn};
 }
 
-bool OdometryJump::take() {
-  const bool jump = jump_;
-  jump_ = false;
-  return jump;
-}
+OdometryJump::Jump OdometryJump::take() { return std::exchange(jump_, Jump{}); }
 
 }  // namespace multipath_localization

@@ -85,7 +85,7 @@ void PseudorangeMixtureFilter::flush_odometry() {
 }
 
 void PseudorangeMixtureFilter::refresh() {
-  const std::vector<BeliefParticle> particles = planar(bank_);
+  const std::vector<WeightedBelief> particles = planar(bank_);
   cluster_ = dominant_cluster(particles);
   place_ = aligned_ ? cluster_ : dominant_cluster(particles, kPi);
   odometry_.restart(cluster_.belief.mean(kScale), cluster_.belief.mean(kGyroBias));
@@ -221,7 +221,7 @@ PoseEstimate PseudorangeMixtureFilter::estimate() const {
 std::vector<Hypothesis> PseudorangeMixtureFilter::hypotheses() const {
   std::vector<Hypothesis> cloud;
   if (bank_.empty()) return cloud;
-  const std::vector<BeliefParticle> particles = planar(bank_);
+  const std::vector<WeightedBelief> particles = planar(bank_);
   const std::vector<double> weights = weights_of(bank_);
   const auto ancestors = systematic_resampling(weights, kCloud, 0.5);
   for (std::size_t i = 0; i < ancestors.size(); ++i) {
@@ -231,7 +231,7 @@ std::vector<Hypothesis> PseudorangeMixtureFilter::hypotheses() const {
     const Eigen::Vector3d d = root * normals<3>(random);
     const Pose2 pose{belief.mean(kX) + d.x(), belief.mean(kY) + d.y(), wrap_angle(belief.mean(kYaw) + d.z())};
     cloud.push_back({pose, 1.0 / static_cast<double>(kCloud),
-                     particles[ancestors[i]].mode.shadow ? Mode::kShadow : Mode::kOpen});
+                     particles[ancestors[i]].in_shadow ? Mode::kShadow : Mode::kOpen});
   }
   return cloud;
 }

@@ -75,7 +75,6 @@ GnssBias to_bias(const PoseEstimate& estimate, const std_msgs::Header& header) {
     message.covariance[static_cast<std::size_t>(i)] = estimate.bias_covariance(i / 2, i % 2);
   }
   message.shadow_probability = estimate.shadow_probability;
-  message.canyon_probability = estimate.canyon_probability;
   message.ring_radius = estimate.bias.norm();
   return message;
 }
@@ -92,7 +91,6 @@ LocalizationState to_state(const Localizer& localizer, const std_msgs::Header& h
   message.yaw_sigma = std::sqrt(estimate.covariance(2, 2));
   message.dominance = estimate.dominance;
   message.shadow_probability = estimate.shadow_probability;
-  message.canyon_probability = estimate.canyon_probability;
   message.effective_sample_size = estimate.effective_sample_size;
   return message;
 }
@@ -166,7 +164,7 @@ bool finite(const PoseEstimate& estimate) {
          estimate.bias_covariance.allFinite() && estimate.covariance.diagonal().minCoeff() >= 0.0 &&
          estimate.position_covariance_overall.trace() >= 0.0 && estimate.bias_covariance.trace() >= 0.0 &&
          std::isfinite(estimate.dominance) && std::isfinite(estimate.shadow_probability) &&
-         std::isfinite(estimate.canyon_probability) && std::isfinite(estimate.effective_sample_size);
+         std::isfinite(estimate.effective_sample_size);
 }
 
 }  // namespace multipath_localization

@@ -151,7 +151,6 @@ void LocalizationDiagnostics::report_filter(Status& status) {
   status.add("yaw sigma [rad]", std::sqrt(estimate.covariance(2, 2)));
   status.add("bias [m]", estimate.bias.norm());
   status.add("shadow probability", estimate.shadow_probability);
-  status.add("canyon probability", estimate.canyon_probability);
   status.add("wheel fault probability", estimate.wheel_fault_probability);
   status.add("effective sample size", estimate.effective_sample_size);
 }

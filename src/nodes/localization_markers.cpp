@@ -25,7 +25,6 @@ std_msgs::ColorRGBA colour_of(Mode mode) {
   switch (mode) {
     case Mode::kOpen: return colour(0.2F, 0.8F, 0.3F, 0.8F);
     case Mode::kShadow: return colour(1.0F, 0.55F, 0.1F, 0.8F);
-    case Mode::kCanyon: return colour(0.6F, 0.3F, 0.9F, 0.8F);
   }
   return colour(1.0F, 1.0F, 1.0F);
 }

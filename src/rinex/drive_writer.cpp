@@ -63,7 +63,6 @@ void write_fix(std::ostream& out, double t, const PointFix& fix, int status) {
        {Constellation::kGlonass, Constellation::kGalileo, Constellation::kBeidou, Constellation::kQzss}) {
     out << "," << known_number(clock(other) - gps, 4);
   }
-  out << "," << plain_text(solution.weighted_square_sum) << "," << solution.degrees_of_freedom << "\n";
   out << "," << plain_text(solution.weighted_square_sum) << "," << solution.degrees_of_freedom << ","
       << status << "\n";
 }

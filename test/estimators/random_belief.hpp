@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
-
 #include "multipath_localization/core/random.hpp"
 #include "multipath_localization/estimators/belief.hpp"
 
@@ -21,11 +19,6 @@ inline Belief random_belief(std::uint64_t seed) {
   belief.mean(kYaw) = 2.0 * random.normal();
   belief.covariance = root * root.transpose();
   return belief;
-}
-
-inline bool symmetric_positive(const Belief::Matrix& P) {
-  const Eigen::SelfAdjointEigenSolver<Belief::Matrix> solver(P, Eigen::EigenvaluesOnly);
-  return (P - P.transpose()).cwiseAbs().maxCoeff() < 1e-12 && solver.eigenvalues().minCoeff() > -1e-12;
 }
 
 /// d(antenna + bias) / d(state) by central differences.

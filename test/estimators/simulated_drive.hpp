@@ -130,7 +130,6 @@ inline std::vector<double> numbers_of(const PoseEstimate& e) {
                              e.pose.yaw,
                              e.dominance,
                              e.shadow_probability,
-                             e.canyon_probability,
                              e.bias.x(),
                              e.bias.y(),
                              e.effective_sample_size};

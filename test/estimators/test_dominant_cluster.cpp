@@ -10,22 +10,22 @@ namespace multipath_localization {
 namespace {
 
 /// Adds `count` hypotheses round a pose, of this weight together.
-void add_cluster(std::vector<BeliefParticle>& particles, const Pose2& centre, int count, double weight,
+void add_cluster(std::vector<WeightedBelief>& particles, const Pose2& centre, int count, double weight,
                  bool shadow) {
   for (int i = 0; i < count; ++i) {
     RandomStream random(1, 0, static_cast<std::uint32_t>(particles.size()));
-    BeliefParticle particle;
+    WeightedBelief particle;
     particle.belief.mean.head<3>() << centre.x + 0.2 * random.normal(), centre.y + 0.2 * random.normal(),
         wrap_angle(centre.yaw + 0.05 * random.normal());
     particle.belief.covariance.diagonal().setConstant(0.01);
-    particle.mode.shadow = shadow;
+    particle.in_shadow = shadow;
     particle.weight = weight / count;
     particles.push_back(particle);
   }
 }
 
 TEST(DominantCluster, IsTheHeavierOfTwoAndTheMeanLiesNotBetween) {
-  std::vector<BeliefParticle> particles;
+  std::vector<WeightedBelief> particles;
   add_cluster(particles, {0.0, 0.0, 1.0}, 100, 0.7, true);
   add_cluster(particles, {20.0, 5.0, 1.0}, 30, 0.3, false);
   const DominantCluster cluster = dominant_cluster(particles);
@@ -36,7 +36,7 @@ TEST(DominantCluster, IsTheHeavierOfTwoAndTheMeanLiesNotBetween) {
 }
 
 TEST(DominantCluster, CovarianceWithinIsNarrowAndOverallCoversBoth) {
-  std::vector<BeliefParticle> particles;
+  std::vector<WeightedBelief> particles;
   add_cluster(particles, {0.0, 0.0, 1.0}, 100, 0.7, true);
   add_cluster(particles, {20.0, 0.0, 1.0}, 30, 0.3, false);
   const DominantCluster cluster = dominant_cluster(particles);
@@ -46,12 +46,12 @@ TEST(DominantCluster, CovarianceWithinIsNarrowAndOverallCoversBoth) {
 }
 
 TEST(DominantCluster, IsTheMomentsOfTheMixtureWhenAllAgree) {
-  std::vector<BeliefParticle> particles;
+  std::vector<WeightedBelief> particles;
   add_cluster(particles, {3.0, -4.0, -0.5}, 60, 1.0, false);
   Belief::Vector mean = Belief::Vector::Zero();
-  for (const BeliefParticle& particle : particles) mean += particle.weight * particle.belief.mean;
+  for (const WeightedBelief& particle : particles) mean += particle.weight * particle.belief.mean;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  for (const BeliefParticle& particle : particles) {
+  for (const WeightedBelief& particle : particles) {
     const Eigen::Vector2d d = particle.belief.mean.head<2>() - mean.head<2>();
     covariance += particle.weight * (0.01 * Eigen::Matrix2d::Identity() + d * d.transpose());
   }
@@ -64,7 +64,7 @@ TEST(DominantCluster, IsTheMomentsOfTheMixtureWhenAllAgree) {
 }
 
 TEST(DominantCluster, HeadingsApartAreClustersApart) {
-  std::vector<BeliefParticle> particles;
+  std::vector<WeightedBelief> particles;
   add_cluster(particles, {0.0, 0.0, 0.0}, 40, 0.4, false);
   add_cluster(particles, {0.0, 0.0, 2.0}, 60, 0.6, false);
   const DominantCluster cluster = dominant_cluster(particles);
@@ -73,7 +73,7 @@ TEST(DominantCluster, HeadingsApartAreClustersApart) {
 }
 
 TEST(DominantCluster, HeadingsAreAveragedOnTheCircle) {
-  std::vector<BeliefParticle> particles;
+  std::vector<WeightedBelief> particles;
   add_cluster(particles, {0.0, 0.0, kPi}, 100, 1.0, false);
   const DominantCluster cluster = dominant_cluster(particles);
   EXPECT_NEAR(std::abs(cluster.belief.mean(kYaw)), kPi, 0.03);
@@ -81,7 +81,7 @@ TEST(DominantCluster, HeadingsAreAveragedOnTheCircle) {
 }
 
 TEST(DominantCluster, ManyLightHypothesesBeatOneHeavy) {
-  std::vector<BeliefParticle> particles;
+  std::vector<WeightedBelief> particles;
   add_cluster(particles, {50.0, 0.0, 0.0}, 1, 0.2, false);
   add_cluster(particles, {0.0, 0.0, 0.0}, 200, 0.8, false);
   EXPECT_NEAR(dominant_cluster(particles).mass, 0.8, 1e-9);

@@ -50,7 +50,7 @@ TEST(HypothesisBank, PlanarPartsCarryWeightAndMode) {
   ASSERT_EQ(particles.size(), 1U);
   EXPECT_EQ(particles[0].belief.mean(kX), 3.0);
   EXPECT_EQ(particles[0].belief.covariance(kYaw, kYaw), 0.01);
-  EXPECT_TRUE(particles[0].mode.shadow);
+  EXPECT_TRUE(particles[0].in_shadow);
   EXPECT_NEAR(particles[0].weight, 1.0, 1e-12);
 }
 

@@ -116,7 +116,7 @@ TEST_F(LocalizerTest, OnlyAnAcceptedFixEndsDeadReckoning) {
   recorder->verdict = Reason::kAccepted;
   EXPECT_EQ(reason_of(now), Reason::kAccepted);
   EXPECT_EQ(localizer->state(), Trust::kGood);
-  recorder->estimate_.canyon_probability = 0.9;
+  recorder->estimate_.shadow_probability = 0.9;
   EXPECT_EQ(localizer->state(), Trust::kMultipath);
 }
 

@@ -11,7 +11,7 @@ import rostest
 
 from multipath_localization.msg import FixReport, GnssBias, LocalizationState
 
-STATE = LocalizationState(position_sigma=2.0, shadow_probability=0.5, canyon_probability=0.2, dominance=1.0)
+STATE = LocalizationState(position_sigma=2.0, shadow_probability=0.5, dominance=1.0)
 BIAS = GnssBias(x=3.0, y=-2.0, sigma=1.0)
 REPORT = FixReport(innovation_x=1.0, innovation_y=-1.0, declared_sigma=0.3, predicted_sigma=0.5)
 

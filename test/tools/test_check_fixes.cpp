@@ -49,7 +49,7 @@ TEST(CheckScatter, FindsAReceiverThatClaimsMillimetres) {
   EXPECT_TRUE(Passes(check_scatter(healthy_robot())));
   const auto boasting =
       with_fixes([](auto& fix) { fix.position_covariance[0] = fix.position_covariance[4] = 1e-4; });
-  EXPECT_TRUE(ToFix(check_scatter(boasting), "declared 0.01 m", "quiet_sigma: 0."));
+  EXPECT_TRUE(ToFix(check_scatter(boasting), "declared 0.01 m", "fixed_sigma: 0."));
   Observations parked = healthy_robot();
   parked.odometry.clear();
   EXPECT_TRUE(Untold(check_scatter(parked)));

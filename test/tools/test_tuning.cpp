@@ -99,25 +99,12 @@ TEST(Tuning, WritesWhatIsToldAndKeepsTheDefaultElsewhere) {
   const std::string yaml = to_yaml(tuning);
   const YAML::Node filter = filter_parameters(yaml);
   EXPECT_EQ(filter["odometry"]["yaw"].as<double>(), 0.02);
-  EXPECT_EQ(filter["odometry"]["distance"].as<double>(), 0.006);
+  EXPECT_EQ(filter["odometry"]["distance"].as<double>(), 0.005);
   EXPECT_EQ(filter["odometry"]["scale_sigma"].as<double>(), 0.052);
   EXPECT_EQ(filter["odometry"]["gyro_bias_sigma"].as<double>(), 0.004);
-  EXPECT_EQ(filter["classes"]["street"]["quiet_sigma"].as<double>(), 0.05);
-  EXPECT_EQ(filter["classes"]["street"]["open_bias_sigma"].as<double>(), 0.1);  // what the bag allows of 0.2
-  EXPECT_EQ(filter["classes"]["street"]["open_bias_time"].as<double>(), 20.0);
-  EXPECT_NE(yaml.find("distance: 0.006  # [m/sqrt(m)] not told by this bag: below 0.03"), std::string::npos);
+  EXPECT_NE(yaml.find("# errors of fixes under open sky: white 0.05 m"), std::string::npos);
+  EXPECT_NE(yaml.find("distance: 0.005  # [m/sqrt(m)] not told by this bag: below 0.03"), std::string::npos);
   EXPECT_NE(yaml.find("delay, antenna: not told by this bag"), std::string::npos);
-}
-
-TEST(Tuning, LeavesClassesThatSpanWhatWasSeen) {
-  Tuning tuning;
-  tuning.open_sky = true;
-  tuning.fit.white = {0.4, 0.39, 0.41, true, true};
-  tuning.fit.wander = {0.5, 0.3, 0.8, true, true};
-  const std::string yaml = to_yaml(tuning);
-  EXPECT_FALSE(filter_parameters(yaml)["classes"]);
-  EXPECT_NE(yaml.find("#   quiet_sigma: 0.4 "), std::string::npos);
-  EXPECT_NE(yaml.find("#   open_bias_sigma: 0.5 "), std::string::npos);
 }
 
 TEST(Tuning, SaysSoWhereNothingIsTold) {

@@ -71,7 +71,6 @@ struct PoseEstimate {
   Eigen::Matrix2d position_covariance_overall =
       Eigen::Matrix2d::Identity();                            ///< all clusters, about `pose` [m^2]
   double shadow_probability = 0.0;                            ///< of the mode "fixes are biased"
-  double canyon_probability = 0.0;                            ///< of the receiver class "deep canyon"
   double wheel_fault_probability = 0.0;                       ///< of odometry that says nothing
   Eigen::Vector2d bias = Eigen::Vector2d::Zero();             ///< of the fix [m]
   Eigen::Matrix2d bias_covariance = Eigen::Matrix2d::Zero();  ///< [m^2]
@@ -84,7 +83,7 @@ struct PoseEstimate {
 Eigen::Matrix3d covariance_overall(const PoseEstimate& estimate);
 
 /// Which kind of hypothesis a particle is, for colouring.
-enum class Mode { kOpen, kShadow, kCanyon };
+enum class Mode { kOpen, kShadow };
 
 /// One weighted hypothesis of the base's pose in map.
 struct Hypothesis {

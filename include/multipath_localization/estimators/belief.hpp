@@ -23,21 +23,6 @@ struct Belief {
 
   /// Moves on by the odometry summed up since the last call.
   void propagate(const PreintegratedOdometry& odometry, const OdometryNoise& noise);
-
-  /// Corrects by a fix of the antenna at `antenna_in_base`, white noise of variance `r` [m^2] an axis.
-  void correct(const Eigen::Vector2d& fix, const Eigen::Vector2d& antenna_in_base, double r);
-
-  /// Bias <- factor * bias + noise of variance `q` an axis: one step of a Gauss-Markov process.
-  void decay_bias(double factor, double q);
-
-  /// Forgets the bias: zero, with this variance an axis, uncorrelated with the rest.
-  void renew_bias(double variance);
-
-  /// Holds the fixes right and the position wrong by the bias, which is renewed with this variance an axis.
-  void move_by_bias(double variance);
-
-  /// Forgets one state: this value and variance, uncorrelated with the rest.
-  void renew(StateIndex index, double value, double variance);
 };
 
 /// What a belief says of the fix to come: antenna position and bias apart, since modes differ in the bias.

@@ -2,9 +2,16 @@
 
 #include <vector>
 
-#include "multipath_localization/estimators/hypothesis_banks.hpp"
+#include "multipath_localization/estimators/belief.hpp"
 
 namespace multipath_localization {
+
+/// One weighted hypothesis of the pose.
+struct WeightedBelief {
+  Belief belief;
+  double weight = 1.0;     ///< all sum to 1
+  bool in_shadow = false;  ///< holds the measurements to be reflected
+};
 
 /// The heaviest group of hypotheses that agree on the pose, as one Gaussian.
 struct DominantCluster {
@@ -20,7 +27,7 @@ inline constexpr double kHeadingReach = 0.6;  ///< [rad]
 /// Finds it: of the heaviest hypotheses, the one with the most weight within its reach; where that is not
 /// half of all, others are tried as well, spread evenly over the weight. With a `heading_reach` of pi those
 /// agree that share the place.
-DominantCluster dominant_cluster(const std::vector<BeliefParticle>& particles,
+DominantCluster dominant_cluster(const std::vector<WeightedBelief>& particles,
                                  double heading_reach = kHeadingReach);
 
 }  // namespace multipath_localization

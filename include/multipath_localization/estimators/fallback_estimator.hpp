@@ -16,8 +16,6 @@ struct FallbackParameters {
   double handover_sigma = 3.0;
   MultipathParticleFilterParameters fixes;
 
-  /// What is handed over has been confirmed by epochs.
-  FallbackParameters() { fixes.confirmed_start = true; }
   void fields(ParameterVisitor& field);
 };
 

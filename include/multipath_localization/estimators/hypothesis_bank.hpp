@@ -16,6 +16,6 @@ std::vector<double> weights_of(const std::vector<PseudorangeHypothesis>& bank);
 void thin_out(std::vector<PseudorangeHypothesis>& bank, double least);
 
 /// The planar parts with their weights.
-std::vector<BeliefParticle> planar(const std::vector<PseudorangeHypothesis>& bank);
+std::vector<WeightedBelief> planar(const std::vector<PseudorangeHypothesis>& bank);
 
 }  // namespace multipath_localization

@@ -22,14 +22,22 @@ struct OdometryJumpParameters {
 /// second, two tenths apart, so that neither quantisation nor white noise of single increments counts.
 class OdometryJump {
  public:
+  /// Which of the two jumped.
+  struct Jump {
+    bool speed = false;  ///< as at a hard brake too
+    bool turn = false;   ///< as no driver turns
+
+    [[nodiscard]] bool any() const { return speed || turn; }
+  };
+
   OdometryJump(const OdometryJumpParameters& parameters, const OdometryNoise& noise)
       : parameters_(parameters), noise_(noise) {}
 
   /// Takes a usable increment.
   void add(const OdometryIncrement& u);
 
-  /// Whether there was a jump since the last call.
-  bool take();
+  /// What has jumped since the last call.
+  Jump take();
 
  private:
   struct Window {
@@ -38,14 +46,14 @@ class OdometryJump {
     Eigen::Vector2d way = Eigen::Vector2d::Zero();  ///< forwards and to the left [m]
   };
 
-  [[nodiscard]] bool jumped(const Window& before, const Window& between, const Window& after) const;
+  [[nodiscard]] Jump between(const Window& before, const Window& middle, const Window& after) const;
 
   OdometryJumpParameters parameters_;
   OdometryNoise noise_;
   Window current_;
   std::optional<Window> last_;
   std::optional<Window> last_but_one_;
-  bool jump_ = false;
+  Jump jump_;
 };
 
 }  // namespace multipath_localization

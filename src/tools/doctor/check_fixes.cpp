@@ -105,10 +105,11 @@ Findings check_scatter(const Observations& seen) {
   const std::string what = text("fix: scatter about odometry %.2f m over %.0f m of way, declared %.3g m",
                                 observed, kShortestChord, declared);
   if (observed <= kWorstLie * declared) return {pass(what)};
-  return {fix(what,
-              text("localization.yaml, multipath_particle_filter: {classes: {street: {quiet_sigma: %.3g}}}; "
-                   "an estimator that believes declared covariances will be too sure",
-                   observed))};
+  return {fix(
+      what,
+      text("an estimator that believes declared covariances will be too sure: localizer: {fix_covariance: "
+           "{source: fixed, fixed_sigma: %.3g}}; multipath_particle_filter finds that out for itself",
+           observed))};
 }
 
 Findings check_frozen(const Observations& seen) {

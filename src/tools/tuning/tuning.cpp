@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "multipath_localization/estimators/localizer.hpp"
-#include "multipath_localization/models/preintegrated_odometry.hpp"
-#include "multipath_localization/models/receiver_class.hpp"
+#include "multipath_localization/estimators/multipath_particle_filter.hpp"
 #include "tools/doctor/finding.hpp"
 #include "tools/tuning/open_sky.hpp"
 
@@ -13,10 +12,9 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kBetterThanStreet = 0.5;  // of its quiet_sigma
-constexpr double kEnoughOpenSky = 0.2;     // of the fixes
-constexpr double kWidestConstant = 0.5;    // of scale_sigma and gyro_bias_sigma
-constexpr double kNothing = 0.05;          // less is not worth a word [m]
+constexpr double kEnoughOpenSky = 0.2;   // of the fixes
+constexpr double kWidestConstant = 0.5;  // of scale_sigma and gyro_bias_sigma
+constexpr double kNothing = 0.05;        // less is not worth a word [m]
 
 std::string range(const Told& number) {
   if (number.low_told && number.high_told) return text("%.3g..%.3g", number.low, number.high);
@@ -61,23 +59,14 @@ std::string fix_line(const Tuning& tuning) {
       sigma, tuning.open_sky ? "" : ", reflections among them");
 }
 
-/// The default filter has classes for receivers between its best and its worst, and weighs them itself: one
-/// moved on to another takes away from that. Only beyond them does it have to be told.
-std::string class_lines(const Tuning& tuning) {
-  if (!tuning.open_sky) return "  # classes: not told by this bag, it has hardly a fix under open sky\n";
+/// What the fixes are off by under open sky. The default filter learns it, so these are not parameters.
+std::string fix_errors(const Tuning& tuning) {
+  if (!tuning.open_sky)
+    return "# errors of fixes: not told by this bag, it has hardly a fix under open sky\n";
   const NoiseFit& fit = tuning.fit;
-  const ReceiverClasses classes;
-  const ReceiverClass& usual = classes.street;
-  const bool spanned =
-      fit.white.value > kBetterThanStreet * usual.quiet_sigma && fit.white.value < classes.noisy.quiet_sigma;
-  const char* indent = spanned ? "  #   " : "      ";
-  return std::string(spanned ? "  # classes: street: as it is, the filter's classes span what was seen:\n"
-                             : "  classes:\n    street:  # under open sky\n") +
-         line(indent, "quiet_sigma", fit.white, usual.quiet_sigma, "m", "Stand or drive longer.") +
-         line(indent, "open_bias_sigma", fit.wander, usual.open_bias_sigma, "m",
-              "Drive for ten of its correlation times.") +
-         line(indent, "open_bias_time", fit.wander_time, usual.open_bias_time, "s",
-              "Drive for ten of these, or there is no slow error.");
+  return text("# errors of fixes under open sky: white %.3g m (%s), slow %.3g m (%s) over %.3g s (%s)\n",
+              fit.white.value, range(fit.white).c_str(), fit.wander.value, range(fit.wander).c_str(),
+              fit.wander_time.value, range(fit.wander_time).c_str());
 }
 
 bool may_be_none(const Told& number) { return number.low <= 0.0 && number.high >= 0.0; }
@@ -148,13 +137,13 @@ std::string to_yaml(const Tuning& tuning) {
            tuning.fixes, tuning.open_sky ? " under open sky" : ", reflected ones among them", fit.way,
            fit.moving_time);
   if (fit.white.value == 0.0) return by + "# Nothing told: too few fixes or too little driving.\n{}\n";
-  const OdometryNoise usual;
+  const OdometryNoise usual = MultipathParticleFilterParameters{}.odometry;
   return by + fix_line(tuning) + "multipath_particle_filter:\n  odometry:\n" +
          line("scale_sigma", fit.scale, usual.scale_sigma, "1") +
          line("gyro_bias_sigma", fit.gyro_bias, usual.gyro_bias_sigma, "rad/s") +
          line("    ", "distance", fit.distance, usual.distance, "m/sqrt(m)",
               "The fixes are too coarse; a tape tells.") +
-         line("    ", "yaw", fit.yaw, usual.yaw, "rad/sqrt(s)", "Drive further.") + class_lines(tuning) +
+         line("    ", "yaw", fit.yaw, usual.yaw, "rad/sqrt(s)", "Drive further.") + fix_errors(tuning) +
          stamp_lines(fit);
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+
+namespace multipath_localization::multipath {
+
+/// Tells whether heading and position are settled: the heading is known, and fixes agreed with the odometry
+/// over some metres of driving. Once they are they stay so until the heading is lost.
+class AlignmentMonitor {
+ public:
+  /// Starts at a pose that counts as confirmed, or at none or a doubtful one.
+  explicit AlignmentMonitor(bool confirmed);
+
+  /// Fixes were weighed over a way of `way` [m]; the heading has that variance [rad^2] now.
+  void update(double way, double yaw_variance);
+
+  [[nodiscard]] bool aligned() const { return aligned_; }
+  /// Driving that is wanted at least until then [m].
+  [[nodiscard]] double way_left() const;
+
+ private:
+  double way_ = 0.0;  ///< over which fixes were weighed [m]
+  bool aligned_ = false;
+};
+
+}  // namespace multipath_localization::multipath

@@ -1,0 +1,117 @@
+#include "estimators/multipath/error_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace multipath_localization::multipath {
+
+namespace {
+
+/// Prior of a logarithm: normal, cut off below.
+struct Prior {
+  double median;
+  double log_sigma;
+  double least;
+
+  [[nodiscard]] double bounded(double log) const { return std::max(log, std::log(least)); }
+  [[nodiscard]] double draw(double widened, RandomStream& random) const {
+    return bounded(std::log(median) + widened * log_sigma * random.normal());
+  }
+};
+
+// Declared sigmas are right within a factor of three for two receivers of three, and off by ten for some.
+// They describe the slow error rather than the white one.
+constexpr Prior kWhite = {0.5, 1.2, 0.02};
+// A receiver whose own filter is smooth shows little error for minutes and then metres: never below 0.3.
+constexpr Prior kSlow = {1.0, 1.2, 0.3};
+// From a receiver's own filter to what satellites' orbits take to change; a longer one would say that fixes
+// and odometry made from the same signals agree for ever.
+constexpr double kLeastSlowTime = 2.0;      // [s]
+constexpr double kLargestSlowTime = 150.0;  // [s]
+// Odometry is what its data sheet says within a factor of two; its constants are steady or not at all.
+constexpr Prior kOdometry = {1.0, 0.8, 0.01};
+constexpr Prior kWalk = {1.0, 1.3, 0.01};
+
+constexpr double kFixMemory = 300.0;        // a receiver keeps its quality for minutes: a street [s]
+constexpr double kOdometryMemory = 1000.0;  // a robot keeps its own for longer: a surface, a tyre [s]
+constexpr double kRedrawn = 1.5;            // log sigmas of a law that changes at once, a heavy tail
+
+// A shadow is one where its bias stands out of the errors of an open sky, and matters at all.
+constexpr double kLeastShadow = 1.5;          // [m]
+constexpr double kShadowToOpen = 3.0;         // [open_sigma]
+constexpr double kLeastShadowTime = 3.0;      // a car passing a house [s]
+constexpr double kLargestShadowTime = 300.0;  // a reflection that stays, a wrong ambiguity [s]
+constexpr double kLeastShadowNoise = 0.005;   // of its size: a carrier phase that is wrong by whole waves
+constexpr double kLargestShadowNoise = 0.3;   // of its size: code phase under changing reflections
+// Of some the bias does not move at all and the noise is that of an open sky: a wrong ambiguity, one strong
+// reflection. Without them a pose that is off would explain such fixes better than a shadow.
+constexpr double kConstantShare = 0.3;
+constexpr double kConstantTime = 1e4;         // [s]
+constexpr double kLeastFirstBias = 0.1;       // of its size: biases walk in or jump
+constexpr double kShadowEndRate = 0.08;       // a side of a house at walking pace [1/s]
+constexpr double kShadowEndRateSpread = 3.0;  // a factor up and down: from 4 to 40 s
+
+void step(double& log, const Prior& prior, double duration, double memory, RandomStream& random) {
+  const double keep = std::exp(-duration / memory);
+  const double mean = std::log(prior.median);
+  log = prior.bounded(mean + keep * (log - mean) +
+                      prior.log_sigma * std::sqrt(1.0 - keep * keep) * random.normal());
+}
+
+bool happens(double duration, double time, RandomStream& random) {
+  return random.uniform() < duration / time;
+}
+
+double draw_slow_time(RandomStream& random) {
+  return std::log(log_uniform(kLeastSlowTime, kLargestSlowTime, random));
+}
+
+}  // namespace
+
+double log_uniform(double low, double high, RandomStream& random) {
+  return low * std::exp(random.uniform() * std::log(high / low));
+}
+
+double ErrorLaw::white_variance() const { return std::exp(2.0 * log_white); }
+double ErrorLaw::slow_sigma() const { return std::exp(log_slow); }
+double ErrorLaw::slow_time() const { return std::exp(log_slow_time); }
+double ErrorLaw::open_sigma() const { return std::exp(std::max(log_white, log_slow)); }
+
+ErrorLaw draw_error_law(RandomStream& random) {
+  ErrorLaw law;
+  law.log_white = kWhite.draw(1.0, random);
+  law.log_slow = kSlow.draw(1.0, random);
+  law.log_slow_time = draw_slow_time(random);
+  law.log_way = kOdometry.draw(1.0, random);
+  law.log_turn = kOdometry.draw(1.0, random);
+  law.log_walk = kWalk.draw(1.0, random);
+  return law;
+}
+
+void wander(ErrorLaw& law, double duration, bool standing, RandomStream& random) {
+  step(law.log_white, kWhite, duration, kFixMemory, random);
+  step(law.log_slow, kSlow, duration, kFixMemory, random);
+  if (happens(duration, kFixMemory, random)) law.log_slow_time = draw_slow_time(random);
+  if (standing) return;
+  step(law.log_way, kOdometry, duration, kOdometryMemory, random);
+  step(law.log_turn, kOdometry, duration, kOdometryMemory, random);
+  step(law.log_walk, kWalk, duration, kOdometryMemory, random);
+  if (happens(duration, kOdometryMemory, random)) {
+    law.log_way = kOdometry.draw(kRedrawn, random);
+    law.log_walk = kWalk.draw(kRedrawn, random);
+  }
+}
+
+ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& random) {
+  ShadowLaw law;
+  const double least = std::max(kLeastShadow, kShadowToOpen * open_sigma);
+  law.size = log_uniform(least, std::max(largest, kShadowToOpen * least), random);
+  const bool constant = random.uniform() < kConstantShare;
+  law.time = constant ? kConstantTime : log_uniform(kLeastShadowTime, kLargestShadowTime, random);
+  law.noise = constant ? 0.0 : law.size * log_uniform(kLeastShadowNoise, kLargestShadowNoise, random);
+  law.first = law.size * log_uniform(kLeastFirstBias, 1.0, random);
+  law.leave_rate = kShadowEndRate * log_uniform(1.0 / kShadowEndRateSpread, kShadowEndRateSpread, random);
+  return law;
+}
+
+}  // namespace multipath_localization::multipath

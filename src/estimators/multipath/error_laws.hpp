@@ -1,0 +1,46 @@
+#pragma once
+
+#include "multipath_localization/core/random.hpp"
+
+namespace multipath_localization::multipath {
+
+/// How large the errors of fixes under open sky and of odometry are: one guess, carried by a hypothesis,
+/// equations (5), (6). Natural logarithms, so that they wander by factors.
+struct ErrorLaw {
+  double log_white = 0.0;      ///< white error of a fix, in the sigma it declares
+  double log_slow = 0.0;       ///< slow error of a fix that does not average out, likewise
+  double log_slow_time = 0.0;  ///< its correlation time [s]
+  double log_way = 0.0;        ///< noise of the way, in that of the parameters
+  double log_turn = 0.0;       ///< noise of the turn, likewise
+  double log_walk = 0.0;       ///< walk of the odometry's constants, likewise
+
+  [[nodiscard]] double white_variance() const;  ///< [declared variance]
+  [[nodiscard]] double slow_sigma() const;      ///< [declared sigma]
+  [[nodiscard]] double slow_time() const;       ///< [s]
+  [[nodiscard]] double open_sigma() const;      ///< the larger of the two errors [declared sigma]
+};
+
+/// A law drawn from the priors.
+ErrorLaw draw_error_law(RandomStream& random);
+
+/// Lets the law wander for `duration` [s] about its prior, where the robot stands that of the fixes alone.
+void wander(ErrorLaw& law, double duration, bool standing, RandomStream& random);
+
+/// What the fixes of one shadow are off by, equation (7): a bias that is a Gauss-Markov process, and white
+/// noise.
+struct ShadowLaw {
+  double size = 0.0;        ///< sigma of the bias [m]
+  double time = 0.0;        ///< its correlation time [s]
+  double noise = 0.0;       ///< sigma of the white noise [m]
+  double first = 0.0;       ///< sigma of the first bias [m]
+  double leave_rate = 0.0;  ///< how soon the shadow ends [1/s]
+};
+
+/// A law for the next shadow, of biases from what tells them from the errors of an open sky (`open_sigma`
+/// [m]) up to `largest` [m].
+ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& random);
+
+/// Draws log-uniformly from low..high, both above zero.
+double log_uniform(double low, double high, RandomStream& random);
+
+}  // namespace multipath_localization::multipath

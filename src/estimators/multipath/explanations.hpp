@@ -1,0 +1,33 @@
+#pragma once
+
+#include "estimators/multipath/hypothesis.hpp"
+#include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/core/random.hpp"
+
+namespace multipath_localization::multipath {
+
+/// A fix, and what led up to it.
+struct Sighting {
+  GnssFix fix;                     ///< covariance positive definite
+  double duration = 0.0;           ///< since the last one, > 0 [s]
+  bool standing = false;           ///< the wheels stood for most of that
+  double level = 0.0;              ///< declared sigma that holds from now on [m]
+  double usual_speed = 0.0;        ///< of the robot [m/s]
+  double fault_probability = 0.0;  ///< that the wheels begin to fail now
+  double largest_bias = 40.0;      ///< of a shadow [m]
+  double shadow_entry_rate = 0.0;  ///< [1/s]
+};
+
+/// What a fix says of a hypothesis.
+struct Evidence {
+  double log_likelihood = 0.0;  ///< over all explanations
+  double log_stay = 0.0;        ///< log probability of what the hypothesis was before going on
+  bool event = false;           ///< whether something else than that was chosen
+};
+
+/// Explains a fix by one of what may have happened, drawn by prior times likelihood, equations (9)..(11):
+/// what was goes on; an outlier; a shadow begins, changes at once or ends; the wheels fail; the hypothesis
+/// was wrong and is lost. The hypothesis becomes what was drawn and is corrected by the fix.
+Evidence explain(Hypothesis& hypothesis, const Sighting& sighting, RandomStream& random);
+
+}  // namespace multipath_localization::multipath

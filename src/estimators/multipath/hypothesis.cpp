@@ -1,0 +1,97 @@
+#include "estimators/multipath/hypothesis.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "multipath_localization/core/numbers.hpp"
+
+namespace multipath_localization::multipath {
+
+void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noise) {
+  if (odometry.moving_time() <= 0.0) return;
+  const OdometryErrors& at = odometry.errors();
+  const Eigen::Vector4d errors(at.scale, at.gyro_bias, at.turn_scale, at.curvature);
+  const Eigen::Vector3d correction = odometry.by_errors() * (mean.segment<4>(kScale) - errors);
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+  turned.topLeftCorner<2, 2>() = rotation(mean(kYaw));
+  const Eigen::Vector2d way = turned.topLeftCorner<2, 2>() * (odometry.displacement() + correction.head<2>());
+  // Of the pose by heading and errors of the odometry.
+  Eigen::Matrix<double, 3, 5> J;
+  J << Eigen::Vector3d(-way.y(), way.x(), 0.0), turned * odometry.by_errors();
+
+  mean.head<2>() += way;
+  mean(kYaw) = wrap_angle(mean(kYaw) + odometry.turn() + correction(2));
+  covariance.topRows<3>() += J * covariance.middleRows<5>(kYaw).eval();
+  covariance.leftCols<3>() += covariance.middleCols<5>(kYaw).eval() * J.transpose();
+  covariance.topLeftCorner<3, 3>() +=
+      turned * odometry.noise(std::exp(2.0 * law.log_way), std::exp(2.0 * law.log_turn)) * turned.transpose();
+  const double walk = std::exp(2.0 * law.log_walk) * odometry.moving_time();
+  covariance(kScale, kScale) += square(noise.scale_walk) * walk;
+  covariance(kGyroBias, kGyroBias) += square(noise.gyro_bias_walk) * walk;
+}
+
+void Hypothesis::renew_heading(double yaw, double variance) {
+  mean(kYaw) = wrap_angle(yaw);
+  covariance.row(kYaw).setZero();
+  covariance.col(kYaw).setZero();
+  covariance(kYaw, kYaw) = variance;
+}
+
+void Hypothesis::place_at(const GnssFix& fix) {
+  const Eigen::Vector2d lever = rotation(mean(kYaw)) * fix.antenna_in_base;
+  const Eigen::Vector2d by_yaw(-lever.y(), lever.x());
+  const double yaw_variance = covariance(kYaw, kYaw);
+  const double slow = square(law.slow_sigma() * level);
+  const double shadow = in_shadow ? square(shadow_law.size) : 0.0;
+  const Eigen::Matrix2d I = Eigen::Matrix2d::Identity();
+  mean.head<2>() = fix.position - lever;
+  mean.tail<4>().setZero();
+  covariance.topRows<2>().setZero();
+  covariance.leftCols<2>().setZero();
+  covariance.bottomRows<4>().setZero();
+  covariance.rightCols<4>().setZero();
+  covariance.topLeftCorner<2, 2>() = law.white_variance() * fix.covariance + (slow + shadow) * I +
+                                     yaw_variance * by_yaw * by_yaw.transpose();
+  covariance.block<2, 1>(kX, kYaw) = -yaw_variance * by_yaw;
+  covariance.block<1, 2>(kYaw, kX) = -yaw_variance * by_yaw.transpose();
+  covariance.block<2, 2>(kSlowX, kSlowX) = slow * I;
+  covariance.block<2, 2>(kX, kSlowX) = covariance.block<2, 2>(kSlowX, kX) = -slow * I;
+  covariance.block<2, 2>(kShadowX, kShadowX) = shadow * I;
+  covariance.block<2, 2>(kX, kShadowX) = covariance.block<2, 2>(kShadowX, kX) = -shadow * I;
+}
+
+void Hypothesis::correct(const GnssFix& fix, const Eigen::Matrix2d& noise) {
+  const Eigen::Vector2d lever = rotation(mean(kYaw)) * fix.antenna_in_base;
+  const Eigen::Vector2d by_yaw(-lever.y(), lever.x());
+  Eigen::Matrix<double, kStateSize, 2> PH =
+      covariance.leftCols<2>() + covariance.col(kYaw) * by_yaw.transpose() + covariance.middleCols<2>(kSlowX);
+  if (in_shadow) PH += covariance.middleCols<2>(kShadowX);
+  Eigen::Matrix2d S = PH.topRows<2>() + by_yaw * PH.row(kYaw) + PH.middleRows<2>(kSlowX) + noise;
+  if (in_shadow) S += PH.middleRows<2>(kShadowX);
+  Eigen::Vector2d innovation = fix.position - mean.head<2>() - lever - mean.segment<2>(kSlowX);
+  if (in_shadow) innovation -= mean.segment<2>(kShadowX);
+  const Eigen::Matrix<double, kStateSize, 2> K = PH * S.inverse();
+  mean += K * innovation;
+  mean(kYaw) = wrap_angle(mean(kYaw));
+  covariance -= K * PH.transpose();
+  covariance = (0.5 * (covariance + covariance.transpose())).eval();
+}
+
+void move_by_bias(Hypothesis& h) {
+  h.mean.head<2>() += h.mean.segment<2>(kShadowX);
+  h.covariance.topRows<2>() += h.covariance.middleRows<2>(kShadowX).eval();
+  h.covariance.leftCols<2>() += h.covariance.middleCols<2>(kShadowX).eval();
+  decay(h, kShadowX, 0.0, 0.0);
+}
+
+void decay(Hypothesis& hypothesis, StateIndex first, double keep, double variance) {
+  if (keep != 1.0) {
+    hypothesis.mean.segment<2>(first) *= keep;
+    hypothesis.covariance.middleRows<2>(first) *= keep;
+    hypothesis.covariance.middleCols<2>(first) *= keep;
+  }
+  hypothesis.covariance(first, first) += variance;
+  hypothesis.covariance(first + 1, first + 1) += variance;
+}
+
+}  // namespace multipath_localization::multipath

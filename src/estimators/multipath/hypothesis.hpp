@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "estimators/multipath/error_laws.hpp"
+#include "estimators/multipath/odometry_sum.hpp"
+#include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/models/preintegrated_odometry.hpp"
+
+namespace multipath_localization::multipath {
+
+/// The state of a hypothesis, equation (1): pose, errors of the odometry, slow error and shadow bias of the
+/// fixes.
+enum StateIndex {
+  kX,
+  kY,
+  kYaw,
+  kScale,
+  kGyroBias,
+  kTurnScale,
+  kCurvature,
+  kSlowX,
+  kSlowY,
+  kShadowX,
+  kShadowY,
+  kStateSize
+};
+using State = Eigen::Matrix<double, kStateSize, 1>;
+using StateCovariance = Eigen::Matrix<double, kStateSize, kStateSize>;
+
+/// Wheels that turn otherwise than the robot drives; all zero while they do not.
+struct WheelFault {
+  double speed = 0.0;         ///< sigma of the unseen motion, in what the robot usually does
+  double heading_rate = 0.0;  ///< sigma of the unseen turn in a second [rad/s]
+
+  [[nodiscard]] bool any() const { return speed > 0.0; }
+};
+
+/// One Rao-Blackwellised particle: a Kalman filter for the state, and sampled what makes that one linear.
+struct Hypothesis {
+  State mean = State::Zero();
+  StateCovariance covariance = StateCovariance::Zero();
+  double log_weight = 0.0;
+  ErrorLaw law;
+  double level = 0.0;  ///< declared sigma that the slow error refers to [m]
+  bool in_shadow = false;
+  ShadowLaw shadow_law;
+  WheelFault wheel_fault;
+
+  [[nodiscard]] Pose2 pose() const { return {mean(kX), mean(kY), mean(kYaw)}; }
+  /// What a fix is off by, its white noise apart [m].
+  [[nodiscard]] Eigen::Vector2d bias() const { return mean.segment<2>(kSlowX) + mean.segment<2>(kShadowX); }
+
+  /// Moves on by odometry, equation (4).
+  void propagate(const OdometrySum& odometry, const OdometryNoise& noise);
+
+  /// Forgets the heading: it is `yaw` [rad] with variance `variance`, correlated with nothing.
+  void renew_heading(double yaw, double variance);
+
+  /// Puts the base where a fix says it is, give or take what the law says fixes are off by, equation (8).
+  void place_at(const GnssFix& fix);
+
+  /// Kalman correction by a fix with white noise of that covariance [m^2].
+  void correct(const GnssFix& fix, const Eigen::Matrix2d& noise);
+};
+
+/// Scales two components of the state from `first` on by `keep` and adds a variance to each.
+void decay(Hypothesis& hypothesis, StateIndex first, double keep, double variance);
+
+/// Holds the fixes right and the position wrong by the bias of the shadow, which is none then.
+void move_by_bias(Hypothesis& hypothesis);
+
+}  // namespace multipath_localization::multipath

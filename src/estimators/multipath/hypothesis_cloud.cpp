@@ -1,0 +1,172 @@
+#include "estimators/multipath/hypothesis_cloud.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "estimators/multipath/wheel_fault.hpp"
+#include "multipath_localization/core/numbers.hpp"
+#include "multipath_localization/filters/resampling.hpp"
+
+namespace multipath_localization::multipath {
+
+namespace {
+
+// Fixes a moment apart are no independent evidence: under open sky one in a second counts in full, in a
+// shadow one in five, where reflections are alike in ways no law covers. Events always count in full:
+// equation (14).
+constexpr double kOpenEvidenceTime = 1.0;      // [s]
+constexpr double kShadowEvidenceTime = 5.0;    // [s]
+constexpr double kLevelFactor = 1.5;           // a declared sigma that changes by less is the same one
+constexpr double kLeastEffective = 0.5;        // share of the hypotheses, below it they are resampled
+constexpr double kKnownHeadingVariance = 0.1;  // fewer hypotheses do once the heading is known [rad^2]
+constexpr double kGapTurnRate = 0.3;           // while odometry is missing, turns may add up to this [rad/s]
+constexpr double kMostGapTurn = 3.0;           // [rad]
+constexpr double kGapYawVariance = 0.01;       // of each hypothesis then [rad^2]
+constexpr double kHeadingReach = 0.6;          // [rad]
+constexpr std::uint32_t kResampling = 0xFFFFFFFEU;  // a random stream beside those of the particles
+
+double mean_sigma(const Eigen::Matrix2d& covariance) { return std::sqrt(0.5 * covariance.trace()); }
+
+}  // namespace
+
+void HypothesisCloud::clear() {
+  hypotheses_.clear();
+  mixture_ = {};
+  level_.reset();
+  step_ = 0;
+}
+
+void HypothesisCloud::propagate(const OdometrySum& odometry) {
+  if (odometry.duration() <= 0.0) return;
+  ++step_;
+  const double gap_turn = std::min(kMostGapTurn, kGapTurnRate * odometry.missing_time());
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    hypotheses_[i].propagate(odometry, settings_.odometry);
+    if (gap_turn <= 0.0) continue;
+    RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
+    hypotheses_[i].mean(kYaw) = wrap_angle(hypotheses_[i].mean(kYaw) + gap_turn * random.normal());
+    hypotheses_[i].covariance(kYaw, kYaw) += kGapYawVariance;
+  }
+  refresh();
+}
+
+void HypothesisCloud::let_wheels_fail(double probability, double speed, double duration, bool standing) {
+  ++step_;
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
+    Hypothesis& h = hypotheses_[i];
+    const double chance = h.wheel_fault.any() ? fault_goes_on(duration, standing) : probability;
+    const bool failing = random.uniform() < chance;
+    if (!failing) h.wheel_fault = {};
+    if (failing && !h.wheel_fault.any()) h.wheel_fault = draw_wheel_fault(random);
+    if (failing) move_unseen(h, speed, duration, random);
+  }
+  refresh();
+}
+
+void HypothesisCloud::weigh(Sighting sighting) {
+  const double sigma = mean_sigma(sighting.fix.covariance);
+  if (!level_) {
+    level_ = sigma;
+    for (Hypothesis& h : hypotheses_) h.level = sigma;
+  }
+  const bool changed = sigma > *level_ * kLevelFactor || sigma < *level_ / kLevelFactor;
+  if (changed) level_ = sigma;
+  sighting.level = *level_;
+  ++step_;
+  std::vector<Evidence> evidence(hypotheses_.size());
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
+    Hypothesis& h = hypotheses_[i];
+    const bool fault = h.wheel_fault.any() || sighting.fault_probability > 0.0;
+    wander(h.law, sighting.duration, sighting.standing && !fault, random);
+    evidence[i] = explain(h, sighting, random);
+  }
+  weigh_by(evidence, sighting.duration, sighting.standing && sighting.fault_probability <= 0.0);
+  refresh();
+  resample();
+}
+
+void HypothesisCloud::weigh_by(const std::vector<Evidence>& evidence, double duration, bool standing) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    highest = std::max(highest, hypotheses_[i].log_weight + evidence[i].log_likelihood);
+  }
+  double prior = 0.0;
+  double posterior = 0.0;
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    const double log_weight = hypotheses_[i].log_weight;
+    prior += std::exp(log_weight);
+    posterior += std::exp(log_weight + evidence[i].log_likelihood - highest);
+  }
+  const double expected = highest + std::log(posterior / prior);
+  const double time = kOpenEvidenceTime + (kShadowEvidenceTime - kOpenEvidenceTime) * mixture_.shadow;
+  const double tempered = std::min(1.0, duration / time);
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    Hypothesis& h = hypotheses_[i];
+    const bool parked = standing && !h.wheel_fault.any();
+    const double share = parked ? 0.0 : evidence[i].event ? 1.0 : tempered;
+    h.log_weight += share * (evidence[i].log_likelihood - expected);
+    if (!parked) h.log_weight += (1.0 - share) * evidence[i].log_stay;
+  }
+}
+
+void HypothesisCloud::resample() {
+  const bool settled = mixture_.covariance(2, 2) < kKnownHeadingVariance;
+  const std::size_t most = hypotheses_.size();
+  const auto wanted = static_cast<std::size_t>(settings_.particles);
+  const std::size_t count = settled ? wanted : std::max(most, wanted);
+  if (count == most && mixture_.effective_size > kLeastEffective * static_cast<double>(most)) return;
+  std::vector<double> weights;
+  weights.reserve(most);
+  for (const Hypothesis& h : hypotheses_) weights.push_back(std::exp(h.log_weight));
+  RandomStream random(seed_, step_, kResampling);
+  hypotheses_ = selected(hypotheses_, systematic_resampling(weights, count, random.uniform()));
+  for (Hypothesis& h : hypotheses_) h.log_weight = -std::log(static_cast<double>(count));
+  refresh();
+}
+
+void HypothesisCloud::refresh() {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Hypothesis& h : hypotheses_) highest = std::max(highest, h.log_weight);
+  double sum = 0.0;
+  for (const Hypothesis& h : hypotheses_) sum += std::exp(h.log_weight - highest);
+  Mixture m;
+  m.covariance.setZero();
+  Eigen::Vector3d log_noise = Eigen::Vector3d::Zero();
+  Eigen::Vector2d heading = Eigen::Vector2d::Zero();
+  double squares = 0.0;
+  for (Hypothesis& h : hypotheses_) {
+    h.log_weight -= highest + std::log(sum);
+    const double w = std::exp(h.log_weight);
+    squares += square(w);
+    m.mean += w * h.mean;
+    heading += w * Eigen::Vector2d(std::cos(h.mean(kYaw)), std::sin(h.mean(kYaw)));
+    m.bias += w * h.bias();
+    log_noise.head<2>() += w * Eigen::Vector2d(h.law.log_way, h.law.log_turn);
+    m.white_variance +=
+        w * (h.law.white_variance() * square(h.level) + (h.in_shadow ? square(h.shadow_law.noise) : 0.0));
+    m.slow_variance += w * square(h.law.slow_sigma() * h.level);
+    m.shadow += h.in_shadow ? w : 0.0;
+    m.wheel_fault += h.wheel_fault.any() ? w : 0.0;
+  }
+  m.mean(kYaw) = std::atan2(heading.y(), heading.x());
+  m.way_noise = std::exp(2.0 * log_noise(0));
+  m.turn_noise = std::exp(2.0 * log_noise(1));
+  m.effective_size = 1.0 / squares;
+  m.agreement = 0.0;
+  for (const Hypothesis& h : hypotheses_) {
+    const double w = std::exp(h.log_weight);
+    Eigen::Vector3d off = h.mean.head<3>() - m.mean.head<3>();
+    off(2) = wrap_angle(off(2));
+    m.covariance += w * (h.covariance.topLeftCorner<3, 3>() + off * off.transpose());
+    const Eigen::Vector2d bias_off = h.bias() - m.bias;
+    m.bias_covariance += w * (h.covariance.block<2, 2>(kSlowX, kSlowX) +
+                              h.covariance.block<2, 2>(kShadowX, kShadowX) + bias_off * bias_off.transpose());
+    if (std::abs(off(2)) < kHeadingReach) m.agreement += w;
+  }
+  mixture_ = m;
+}
+
+}  // namespace multipath_localization::multipath

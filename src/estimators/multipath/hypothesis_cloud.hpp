@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "estimators/multipath/explanations.hpp"
+#include "estimators/multipath/hypothesis.hpp"
+#include "multipath_localization/core/estimate.hpp"
+
+namespace multipath_localization::multipath {
+
+/// The hypotheses as one Gaussian and some probabilities, equations (15), (16).
+struct Mixture {
+  State mean = State::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of x, y, yaw: within and between hypotheses
+  Eigen::Vector2d bias = Eigen::Vector2d::Zero();            ///< of the fixes [m]
+  Eigen::Matrix2d bias_covariance = Eigen::Matrix2d::Zero();
+  double white_variance = 0.0;  ///< of a fix, an axis [m^2]
+  double slow_variance = 0.0;   ///< of the slow error of a fix, an axis [m^2]
+  double way_noise = 1.0;       ///< variance, in that of the parameters
+  double turn_noise = 1.0;      ///< likewise
+  double shadow = 0.0;          ///< probability of a shadow
+  double wheel_fault = 0.0;     ///< probability of wheels that fail
+  double agreement = 1.0;       ///< weight of those within kHeadingReach of the mean heading
+  double effective_size = 1.0;
+};
+
+/// How wide the odometry's constants may be off at the start.
+struct CloudSettings {
+  int particles = 800;
+  OdometryNoise odometry;
+  double turn_scale_sigma = 0.04;
+};
+
+/// Weighted hypotheses of pose, errors of odometry and laws of errors.
+class HypothesisCloud {
+ public:
+  HypothesisCloud(const CloudSettings& settings, std::uint64_t seed) : settings_(settings), seed_(seed) {}
+
+  /// Forgets all hypotheses.
+  void clear();
+  [[nodiscard]] bool empty() const { return hypotheses_.empty(); }
+  /// Holds for the next start or, the number of particles, from the next resampling on.
+  void set(const CloudSettings& settings) { settings_ = settings; }
+
+  /// Spreads hypotheses all round the circle about a fix, as that one declares itself.
+  void start(const GnssFix& fix);
+  /// Spreads them about a pose; what a fix declares is learnt from the first one.
+  void start(const PosePrior& prior);
+
+  void propagate(const OdometrySum& odometry);
+
+  /// Lets wheels fail while there is no fix to tell: a fault begins with that probability, or goes on, for
+  /// `duration` [s] at the usual `speed` [m/s].
+  void let_wheels_fail(double probability, double speed, double duration, bool standing);
+
+  /// Weighs a fix; `sighting.level` is set here, equation (13), (14).
+  void weigh(Sighting sighting);
+
+  [[nodiscard]] const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
+  [[nodiscard]] const Mixture& mixture() const { return mixture_; }
+
+ private:
+  void spread(std::size_t count);
+  void weigh_by(const std::vector<Evidence>& evidence, double duration, bool standing);
+  void refresh();
+  void resample();
+
+  CloudSettings settings_;
+  std::uint64_t seed_;
+  std::uint32_t step_ = 0;
+  std::vector<Hypothesis> hypotheses_;
+  Mixture mixture_;
+  std::optional<double> level_;  ///< declared sigma that holds [m]
+};
+
+}  // namespace multipath_localization::multipath

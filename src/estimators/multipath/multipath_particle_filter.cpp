@@ -1,0 +1,224 @@
+#include "multipath_localization/estimators/multipath_particle_filter.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "estimators/multipath/alignment_monitor.hpp"
+#include "estimators/multipath/fix_block.hpp"
+#include "estimators/multipath/hypothesis_cloud.hpp"
+#include "estimators/multipath/wheel_watch.hpp"
+#include "multipath_localization/core/numbers.hpp"
+#include "multipath_localization/estimators/fix_check.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kLongestSum = 1.0;    ///< odometry is linearised over at most this long [s]
+constexpr double kBlock = 0.9;         ///< fixes within this time are one: just below a receiver's second [s]
+constexpr double kConstantPart = 0.5;  ///< of the slow error of fixes, which no drive is long enough to see
+constexpr double kOutage = 2.0;        ///< without a fix for longer, wheels are judged without one [s]
+constexpr double kShortestTime = 1e-3;  ///< between two fixes of one stamp [s]
+constexpr double kLeastSigma = 1e-3;    ///< no receiver is better than that, whatever it declares [m]
+
+multipath::CloudSettings cloud_settings(const MultipathParticleFilterParameters& parameters) {
+  return {parameters.particles, parameters.odometry, parameters.turn_scale_sigma};
+}
+
+multipath::OdometryErrors errors_of(const multipath::State& mean) {
+  return {mean(multipath::kScale), mean(multipath::kGyroBias), mean(multipath::kTurnScale),
+          mean(multipath::kCurvature)};
+}
+
+/// As declared, but positive definite.
+GnssFix with_proper_covariance(GnssFix fix) {
+  fix.covariance += square(kLeastSigma) * Eigen::Matrix2d::Identity();
+  return fix;
+}
+
+}  // namespace
+
+void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
+  tunable(field);
+  field("turn_scale_sigma", turn_scale_sigma, {0.0, 0.5}, "1",
+        "1 sigma of the unknown scale error of turns at start");
+  field.group("odometry_jump", odometry_jump, "when the wheel odometry is suspected of a fault");
+}
+
+void MultipathParticleFilterParameters::tunable(ParameterVisitor& field) {
+  field("particles", particles, {20, 100000}, "1",
+        "hypotheses, each with a Kalman filter of its own; more until the heading is known");
+  field("largest_bias", largest_bias, {1.0, 1e4}, "m", "of fixes in a shadow, about the width of a street");
+  field("time_between_shadows", time_between_shadows, {1.0, 1e5}, "s",
+        "of driving under open sky before the next house");
+  field("stamp_sigma", stamp_sigma, {0.0, 10.0}, "s",
+        "1 sigma of what the stamps of fixes and odometry may be apart: at speed it makes the pose less "
+        "certain along the way");
+  field("sigma_factor", sigma_factor, {1.0, 10.0}, "1",
+        "published standard deviations of the pose in those of the hypotheses: no model of errors is exact");
+  field("position_sigma_floor", position_sigma_floor, {0.0, 100.0}, "m",
+        "added to the published position: no covariance is believed below it");
+  field.group("odometry", odometry, "how far the wheel odometry can be trusted, within a factor of two");
+}
+
+/// All that is known since the start.
+struct MultipathParticleFilter::State {
+  State(const MultipathParticleFilterParameters& parameters, std::uint64_t seed, bool confirmed)
+      : cloud(cloud_settings(parameters), seed),
+        alignment(confirmed),
+        odometry(parameters.odometry),
+        wheels(parameters.odometry_jump, parameters.odometry) {}
+
+  /// Moves the hypotheses on by the odometry so far.
+  void flush() {
+    cloud.propagate(odometry);
+    block.move({odometry.displacement().x(), odometry.displacement().y(), odometry.turn()});
+    restart_odometry();
+  }
+  /// In an outage the odometry alone can show that the wheels fail.
+  void doubt_wheels() {
+    if (now - last_weighed <= kOutage) return;
+    const double begins = wheels.take_suspicion();
+    if (begins <= 0.0 && cloud.mixture().wheel_fault <= 0.0) return;
+    const double duration = odometry.duration();
+    cloud.let_wheels_fail(begins, wheels.usual_speed(), duration, odometry.moving_time() < 0.5 * duration);
+  }
+  void restart_odometry() { odometry.restart(errors_of(cloud.mixture().mean)); }
+  void weigh(const MultipathParticleFilterParameters& parameters);
+
+  multipath::HypothesisCloud cloud;
+  multipath::AlignmentMonitor alignment;
+  multipath::OdometrySum odometry;  ///< since the hypotheses were last moved
+  multipath::FixBlock block;
+  multipath::WheelWatch wheels;
+  FixCheck fix_check;
+  double now = 0.0;
+  double last_weighed = 0.0;
+  double speed = 0.0;  ///< of the last increment, over ground [m/s]
+};
+
+void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParameters& parameters) {
+  multipath::Sighting sighting;
+  sighting.fix = block.take(cloud.mixture().mean(multipath::kYaw));
+  sighting.duration = std::max(kShortestTime, now - last_weighed);
+  sighting.standing = wheels.standing(sighting.duration);
+  const double way = wheels.way();
+  wheels.look_back(sighting.duration);
+  sighting.usual_speed = wheels.usual_speed();
+  sighting.fault_probability = wheels.fault_probability(sighting.duration);
+  sighting.largest_bias = parameters.largest_bias;
+  sighting.shadow_entry_rate = 1.0 / parameters.time_between_shadows;
+  cloud.weigh(sighting);
+  last_weighed = now;
+  restart_odometry();
+  alignment.update(way, cloud.mixture().covariance(2, 2));
+}
+
+MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterParameters& parameters,
+                                                 std::uint64_t seed)
+    : parameters_(parameters), seed_(seed), state_(std::make_unique<State>(parameters, seed, false)) {}
+
+MultipathParticleFilter::~MultipathParticleFilter() = default;
+
+void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
+  const bool usable_prior = prior && usable(*prior);
+  state_ = std::make_unique<State>(parameters_, seed_, usable_prior && prior->confirmed);
+  if (!usable_prior) return;
+  state_->cloud.start(*prior);
+  state_->now = state_->last_weighed = prior->stamp;
+  state_->alignment.update(0.0, state_->cloud.mixture().covariance(2, 2));
+}
+
+void MultipathParticleFilter::tune(ParameterVisitor& field) {
+  parameters_.tunable(field);
+  state_->cloud.set(cloud_settings(parameters_));
+  state_->odometry.set_noise(parameters_.odometry);
+}
+
+void MultipathParticleFilter::predict(const OdometryIncrement& u) {
+  if (!usable(u)) return;
+  state_->now = u.stamp;
+  state_->speed = ground_speed(u);
+  if (state_->cloud.empty()) return;
+  state_->odometry.add(u);
+  state_->wheels.add(u);
+  if (state_->odometry.duration() <= kLongestSum) return;
+  state_->doubt_wheels();
+  state_->flush();
+}
+
+Innovation MultipathParticleFilter::update(const Measurement& z) {
+  const auto* declared = std::get_if<GnssFix>(&z);
+  if (declared == nullptr) return refused(Reason::kUnused);
+  if (const auto reason = state_->fix_check.defect(*declared)) return refused(*reason);
+  const GnssFix fix = with_proper_covariance(*declared);
+  Innovation result;
+  result.reason = Reason::kAccepted;
+  if (state_->cloud.empty()) {
+    state_->cloud.start(fix);
+    state_->last_weighed = state_->now;
+    state_->restart_odometry();
+    return result;
+  }
+  state_->flush();
+  const multipath::Mixture& mixture = state_->cloud.mixture();
+  const Eigen::Vector2d antenna =
+      mixture.mean.head<2>() + rotation(mixture.mean(multipath::kYaw)) * fix.antenna_in_base;
+  result.innovation = fix.position - antenna - mixture.bias;
+  result.covariance =
+      mixture.covariance.topLeftCorner<2, 2>() + mixture.white_variance * Eigen::Matrix2d::Identity();
+  result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
+  state_->block.add(fix);
+  if (state_->now - state_->last_weighed >= kBlock) state_->weigh(parameters_);
+  return result;
+}
+
+PoseEstimate MultipathParticleFilter::estimate() const {
+  PoseEstimate result;
+  result.stamp = state_->now;
+  if (state_->cloud.empty()) return result;
+  const multipath::Mixture& mixture = state_->cloud.mixture();
+  const multipath::OdometrySum& odometry = state_->odometry;
+  const Pose2 then{mixture.mean(multipath::kX), mixture.mean(multipath::kY), mixture.mean(multipath::kYaw)};
+  const Eigen::Vector2d way = rotation(then.yaw) * odometry.displacement();
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  F.topRightCorner<2, 1>() << -way.y(), way.x();
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+  turned.topLeftCorner<2, 2>() = rotation(then.yaw);
+
+  result.valid = true;
+  result.aligned = state_->alignment.aligned();
+  result.way_to_alignment = state_->alignment.way_left();
+  result.pose = {then.x + way.x(), then.y + way.y(), wrap_angle(then.yaw + odometry.turn())};
+  const Eigen::Matrix3d noise = odometry.noise(mixture.way_noise, mixture.turn_noise);
+  result.covariance = square(parameters_.sigma_factor) *
+                      (F * mixture.covariance * F.transpose() + turned * noise * turned.transpose());
+  const Eigen::Vector2d between_stamps =
+      rotation(result.pose.yaw).col(0) * parameters_.stamp_sigma * state_->speed;
+  result.covariance.topLeftCorner<2, 2>() +=
+      (square(parameters_.position_sigma_floor) + square(kConstantPart) * mixture.slow_variance) *
+          Eigen::Matrix2d::Identity() +
+      between_stamps * between_stamps.transpose();
+  result.position_covariance_overall = result.covariance.topLeftCorner<2, 2>();
+  result.dominance = mixture.agreement;
+  result.shadow_probability = mixture.shadow;
+  result.wheel_fault_probability = mixture.wheel_fault;
+  result.bias = mixture.bias;
+  result.bias_covariance = mixture.bias_covariance;
+  result.effective_sample_size = mixture.effective_size;
+  return result;
+}
+
+std::vector<Hypothesis> MultipathParticleFilter::hypotheses() const {
+  const multipath::OdometrySum& odometry = state_->odometry;
+  const Pose2 step{odometry.displacement().x(), odometry.displacement().y(), odometry.turn()};
+  std::vector<Hypothesis> all;
+  all.reserve(state_->cloud.hypotheses().size());
+  for (const multipath::Hypothesis& h : state_->cloud.hypotheses()) {
+    all.push_back({h.pose() * step, std::exp(h.log_weight), h.in_shadow ? Mode::kShadow : Mode::kOpen});
+  }
+  return all;
+}
+
+}  // namespace multipath_localization

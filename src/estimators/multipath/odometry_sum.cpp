@@ -1,0 +1,93 @@
+#include "estimators/multipath/odometry_sum.hpp"
+
+#include <cmath>
+
+#include "multipath_localization/core/numbers.hpp"
+#include "multipath_localization/models/odometry_motion.hpp"
+
+namespace multipath_localization::multipath {
+
+namespace {
+
+constexpr double kAcrossToAlong = 0.5;      ///< wheels slip sideways less than they slip along [1]
+constexpr double kTurnNoiseOfTurn = 0.004;  ///< wheels scrub in turns; a gyro's scale [rad/sqrt(rad)]
+
+/// Standard deviation of a value that is anywhere within an interval of length 1: 1 / sqrt(12).
+constexpr double kUniform = 0.2887;
+/// Longer intervals are gaps of the odometry: the slowest odometry in use comes at 1 Hz, and loses some [s].
+constexpr double kGap = 2.5;
+/// What a robot changes its speed by, within a gap, beyond what it had before it [m/s].
+constexpr double kUnseenSpeed = 1.0;
+
+Eigen::Vector2d perpendicular(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
+
+}  // namespace
+
+void OdometrySum::restart(const OdometryErrors& errors) {
+  const Eigen::Vector2d velocity = last_velocity_;
+  *this = OdometrySum(noise_);
+  errors_ = errors;
+  last_velocity_ = velocity;
+}
+
+void OdometrySum::add(const OdometryIncrement& u) {
+  const double dt = u.duration;
+  duration_ += dt;
+  if (dt > kGap) {
+    missing_time_ += dt;
+    const double reach = (ground_speed(u) + kUnseenSpeed) * dt;
+    sampling_noise_.topLeftCorner<2, 2>() += square(0.5 * reach) * Eigen::Matrix2d::Identity();
+  } else if (standing(u)) {
+    last_velocity_.setZero();
+    return;
+  }
+  OdometryIncrement corrected = u;
+  corrected.speed *= 1.0 - errors_.scale;
+  corrected.lateral_speed *= 1.0 - errors_.scale;
+  corrected.yaw_rate =
+      u.yaw_rate * (1.0 - errors_.turn_scale) - errors_.gyro_bias - errors_.curvature * u.speed;
+  const Pose2 step = multipath_localization::displacement(corrected);
+  const Eigen::Vector2d way = rotation(turn_) * step.position();
+
+  add_noise(u, way, corrected.yaw_rate * dt);
+  // The heading halfway through the step, by each of the errors that turn it.
+  const Eigen::RowVector3d turn_by_errors(-dt, -u.yaw_rate * dt, -u.speed * dt);
+  const Eigen::RowVector3d heading = by_errors_.bottomRightCorner<1, 3>() + 0.5 * turn_by_errors;
+  by_errors_.topLeftCorner<2, 1>() -= way / (1.0 - errors_.scale);
+  by_errors_.topRightCorner<2, 3>() += perpendicular(way) * heading;
+  by_errors_.bottomRightCorner<1, 3>() += turn_by_errors;
+
+  displacement_ += way;
+  turn_ += corrected.yaw_rate * dt;
+  moving_time_ += dt;
+  length_ += way.norm();
+  last_velocity_ << u.speed, u.lateral_speed;
+}
+
+void OdometrySum::add_noise(const OdometryIncrement& u, const Eigen::Vector2d& way, double turn) {
+  const double length = way.norm();
+  const double dt = u.duration;
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  F.topRightCorner<2, 1>() = perpendicular(way);
+  for (Eigen::Matrix3d* noise : {&way_noise_, &turn_noise_, &sampling_noise_}) {
+    *noise = F * *noise * F.transpose();
+  }
+  const double across = square(kAcrossToAlong * noise_.distance) * length;
+  way_noise_.topLeftCorner<2, 2>() += across * Eigen::Matrix2d::Identity();
+  if (length > 0.0) {
+    const Eigen::Vector2d along = way / length;
+    way_noise_.topLeftCorner<2, 2>() +=
+        (square(noise_.distance) * length - across) * along * along.transpose();
+  }
+  turn_noise_(2, 2) += square(noise_.yaw) * dt + square(kTurnNoiseOfTurn) * std::abs(turn);
+  // What happened between two samples is not known: speed and turn changed anywhere within the interval.
+  const double change = (Eigen::Vector2d(u.speed, u.lateral_speed) - last_velocity_).norm() * dt;
+  const double bend = length * std::abs(turn);
+  const double direction = turn_ + 0.5 * turn;
+  const Eigen::Vector2d ahead(std::cos(direction), std::sin(direction));
+  sampling_noise_.topLeftCorner<2, 2>() +=
+      square(kUniform * change) * ahead * ahead.transpose() +
+      square(kUniform * bend) * perpendicular(ahead) * perpendicular(ahead).transpose();
+}
+
+}  // namespace multipath_localization::multipath

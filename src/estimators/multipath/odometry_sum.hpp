@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/models/preintegrated_odometry.hpp"
+
+namespace multipath_localization::multipath {
+
+/// What wheel odometry gets wrong for minutes on end, equation (2): with v and w as measured, the robot
+/// drives (1 - scale) v and turns by w - gyro_bias - turn_scale w - curvature v.
+struct OdometryErrors {
+  double scale = 0.0;       ///< of speed [1]
+  double gyro_bias = 0.0;   ///< [rad/s]
+  double turn_scale = 0.0;  ///< of turns, as of wheels that skid or a track width that is wrong [1]
+  double curvature = 0.0;   ///< of a path that odometry calls straight, as of a steering offset [rad/m]
+};
+
+/// Odometry summed up since the hypotheses were last moved, once for all of them, equation (3).
+///
+/// Everything is in the base frame at the start of the sum and linearised at the errors given to `restart`.
+/// While the wheels stand nothing but time passes.
+class OdometrySum {
+ public:
+  explicit OdometrySum(const OdometryNoise& noise) : noise_(noise) {}
+
+  /// Of the increments from now on.
+  void set_noise(const OdometryNoise& noise) { noise_ = noise; }
+  void restart(const OdometryErrors& errors);
+  void add(const OdometryIncrement& increment);
+
+  /// Displacement [m] and turn [rad] with the errors of `restart`.
+  [[nodiscard]] const Eigen::Vector2d& displacement() const { return displacement_; }
+  [[nodiscard]] double turn() const { return turn_; }
+
+  [[nodiscard]] const OdometryErrors& errors() const { return errors_; }
+  /// Derivatives of displacement (rows 0, 1) and turn (row 2) to scale, gyro bias, turn scale, curvature.
+  [[nodiscard]] const Eigen::Matrix<double, 3, 4>& by_errors() const { return by_errors_; }
+
+  /// Covariance of x, y, yaw where the noise of the way and of the turn have that many times the variance the
+  /// parameters say; what happened between samples comes on top.
+  [[nodiscard]] Eigen::Matrix3d noise(double way, double turn) const {
+    return way * way_noise_ + turn * turn_noise_ + sampling_noise_;
+  }
+
+  [[nodiscard]] double duration() const { return duration_; }          ///< [s]
+  [[nodiscard]] double moving_time() const { return moving_time_; }    ///< [s]
+  [[nodiscard]] double missing_time() const { return missing_time_; }  ///< without odometry [s]
+  [[nodiscard]] double length() const { return length_; }              ///< of the way [m]
+
+ private:
+  void add_noise(const OdometryIncrement& increment, const Eigen::Vector2d& step, double turn);
+
+  OdometryNoise noise_;
+  OdometryErrors errors_;
+  Eigen::Vector2d displacement_ = Eigen::Vector2d::Zero();
+  double turn_ = 0.0;
+  Eigen::Matrix<double, 3, 4> by_errors_ = Eigen::Matrix<double, 3, 4>::Zero();
+  Eigen::Matrix3d way_noise_ = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d turn_noise_ = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d sampling_noise_ = Eigen::Matrix3d::Zero();
+  double duration_ = 0.0;
+  double moving_time_ = 0.0;
+  double missing_time_ = 0.0;
+  double length_ = 0.0;
+  Eigen::Vector2d last_velocity_ = Eigen::Vector2d::Zero();  ///< in the base, of the last increment [m/s]
+};
+
+}  // namespace multipath_localization::multipath

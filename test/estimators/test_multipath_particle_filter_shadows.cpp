@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "default_localizer.hpp"
+#include "shares.hpp"
+#include "simulated_drive.hpp"
+
+namespace multipath_localization {
+namespace {
+
+TEST(MultipathParticleFilter, ABiasOfFiveMetresForHalfAMinuteIsTracked) {
+  const double tracked = share_of_seeds(8, [](std::uint64_t seed) {
+    SimulatedDrive robot(seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.0);
+    EXPECT_TRUE(localizer.estimate().aligned);
+    const auto direction = static_cast<double>(seed);
+    robot.bias = [&](double) {
+      return Eigen::Vector2d(5.0 * std::cos(direction), 5.0 * std::sin(direction));
+    };
+    double largest = 0.0;
+    robot.run(localizer, 30.0,
+              [&] { largest = std::max(largest, position_error(localizer.estimate(), robot.truth).norm()); });
+    return largest < 2.0 && localizer.state() == Trust::kMultipath &&
+           (localizer.estimate().bias - robot.bias(0.0)).norm() < 2.0;
+  });
+  EXPECT_GE(tracked, 0.75);
+}
+
+TEST(MultipathParticleFilter, AParkedRobotDoesNotFollowABias) {
+  const double stayed = share_of_seeds(6, [](std::uint64_t seed) {
+    SimulatedDrive robot(seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.0);
+    robot.speed = 0.0;
+    robot.run(localizer, 5.0);
+    const Eigen::Vector2d parked = localizer.estimate().pose.position();
+    robot.bias = [](double) { return Eigen::Vector2d(4.0, -3.0); };
+    robot.run(localizer, 300.0);
+    return (localizer.estimate().pose.position() - parked).norm() < 1.0;
+  });
+  EXPECT_GE(stayed, 0.8);
+}
+
+TEST(MultipathParticleFilter, AParkedRobotDoesNotSlideAwayWithABiasThatWalksIn) {
+  const double stayed = share_of_seeds(6, [](std::uint64_t seed) {
+    SimulatedDrive robot(seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.0);
+    robot.speed = 0.0;
+    robot.run(localizer, 60.0);
+    const double start = robot.time;
+    robot.bias = [&](double time) {
+      return Eigen::Vector2d(std::min(1.0, (time - start) / 6.0) * Eigen::Vector2d(-7.0, -7.0));
+    };
+    robot.run(localizer, 60.0);
+    return position_error(localizer.estimate(), robot.truth).norm() < 1.0;
+  });
+  EXPECT_GE(stayed, 0.8);
+}
+
+TEST(MultipathParticleFilter, KnowsHowLittleItKnowsInADeepCanyon) {
+  double mean = 0.0;
+  constexpr int kSeeds = 5;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SimulatedDrive robot(seed);
+    robot.speed = 5.0;
+    robot.bias = WanderingBias(25.0, 15.0, seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 150.0);
+    for (int i = 0; i < 6; ++i) {
+      robot.run(localizer, 15.0);
+      mean += nees(localizer.estimate(), robot.truth) / (6.0 * kSeeds);
+    }
+  }
+  EXPECT_LT(mean, 6.0);
+}
+
+TEST(MultipathParticleFilter, TakesTheSigmaAReceiverDeclaresForEvidenceNotForTruth) {
+  const double right = share_of_seeds(6, [](std::uint64_t seed) {
+    SimulatedDrive robot(seed);
+    Localizer localizer(std::make_unique<MultipathParticleFilter>(MultipathParticleFilterParameters{}, seed),
+                        LocalizerParameters{});
+    load_fields(
+        YAML::Load("{fix_covariance: {scale: 0.1}}"), [&](ParameterVisitor& field) { localizer.tune(field); },
+        "");
+    localizer.start(std::nullopt);
+    robot.run(localizer, 60.0);
+    return nees(localizer.estimate(), robot.truth) < 9.0 &&
+           position_error(localizer.estimate(), robot.truth).norm() < 0.5;
+  });
+  EXPECT_GE(right, 0.8);
+}
+
+TEST(MultipathParticleFilter, GrowsUnsureThroughAnOutageAndRecovers) {
+  const double recovered = share_of_seeds(6, [](std::uint64_t seed) {
+    SimulatedDrive robot(seed);
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.0);
+    const double before = localizer.estimate().covariance.trace();
+    robot.receiving = false;
+    robot.run(localizer, 60.0);
+    const PoseEstimate blind = localizer.estimate();
+    EXPECT_EQ(localizer.state(), Trust::kDeadReckoning);
+    EXPECT_GT(blind.covariance.trace(), 2.0 * before);
+    EXPECT_LT(nees(blind, robot.truth), 13.8) << seed;  // exceeded by one in a thousand
+    robot.receiving = true;
+    robot.run(localizer, 30.0);
+    return position_error(localizer.estimate(), robot.truth).norm() < 1.0;
+  });
+  EXPECT_GE(recovered, 0.8);
+}
+
+}  // namespace
+}  // namespace multipath_localization
