@@ -12,7 +12,11 @@ void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& ma
               const ProgressReport& progress, RunRecord& run) {
   if (batch.faults) run.drive = spoilt(drive, *batch.faults, batch.fault_seed + run.seed - 1);
   const Drive& driven = batch.faults ? run.drive : drive;
-  run.epochs = run_drive(driven, make, batch.settings, progress);
+  run.fates = drive.left_out;
+  const auto count = [&run](const MeasurementReport& report) {
+    run.fates[report.measurement.index()].count(report.innovation.reason);
+  };
+  run.epochs = run_drive(driven, make, batch.settings, progress, count);
   rate(driven, batch, run);
 }
 

@@ -192,4 +192,17 @@ std::string to_table(const std::vector<RunRecord>& runs) {
   return side_by_side(text, several ? 2 : 1);
 }
 
+std::string losses(const std::vector<RunRecord>& runs) {
+  constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fixes", "pairs of fixes",
+                                                                                "epochs"};
+  std::string text;
+  for (const RunRecord& run : runs) {
+    for (std::size_t kind = 0; run.seed == 1 && kind < kKinds.size(); ++kind) {
+      if (!run.fates[kind].falls_short()) continue;
+      text += run.estimator + ": " + kKinds[kind] + ": " + run.fates[kind].explained_sum() + "\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace multipath_localization

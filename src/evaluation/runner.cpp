@@ -14,7 +14,8 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Walks a drive's three streams in the order of arrival.
 class Replay {
  public:
-  Replay(const Drive& drive, Localizer& localizer) : drive_(drive), localizer_(localizer) {}
+  Replay(const Drive& drive, Localizer& localizer, const FateReport& fate)
+      : drive_(drive), localizer_(localizer), fate_(fate) {}
 
   /// Everything that had arrived by `stamp`.
   void advance_to(double stamp) {
@@ -29,7 +30,9 @@ class Replay {
         localizer_.add(drive_.measurements[next_measurement_++].measurement);
       }
     }
-    localizer_.take_reports();
+    for (const MeasurementReport& report : localizer_.take_reports()) {
+      if (fate_) fate_(report);
+    }
   }
 
   /// The increment that came in last.
@@ -57,6 +60,7 @@ class Replay {
 
   const Drive& drive_;
   Localizer& localizer_;
+  const FateReport& fate_;
   std::size_t next_restart_ = 0;
   std::size_t next_odometry_ = 0;
   std::size_t next_measurement_ = 0;
@@ -116,10 +120,10 @@ Epoch epoch_of(const PoseEstimate& estimate, const TruthSample& truth,
 }
 
 std::vector<Epoch> run_drive(const Drive& drive, const EstimatorFactory& make, const RunSettings& settings,
-                             const ProgressReport& progress) {
+                             const ProgressReport& progress, const FateReport& fate) {
   Localizer localizer(make(), settings.localizer);
   localizer.start(settings.known_start ? prior_of(drive) : std::nullopt);
-  Replay replay(drive, localizer);
+  Replay replay(drive, localizer, fate);
   std::vector<Epoch> epochs;
   for (const TruthSample& truth : drive.truth) {
     replay.advance_to(truth.stamp);

@@ -2,15 +2,19 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Vector3Stamped.h>
-#include <tf2/exceptions.h>
 
+#include <utility>
+
+#include "nodes/datum.hpp"
+#include "nodes/datum_search.hpp"
 #include "nodes/earth_frame.hpp"
 
 namespace multipath_localization {
 
 void BagCollector::take(const rosbag::MessageInstance& message) {
   const std::string& topic = message.getTopic();
-  if (without_slash(topic) == "tf_static") add(read<tf2_msgs::TFMessage>(message));
+  const bool is_static = without_slash(topic) == "tf_static";
+  if (is_static || without_slash(topic) == "tf") add(read<tf2_msgs::TFMessage>(message), is_static);
   if (topic == topics_.odometry) add(read<nav_msgs::Odometry>(message));
   if (topic == topics_.truth) take_truth(message);
   if (topic == topics_.shadow) {
@@ -46,16 +50,8 @@ std::vector<TruthSample> BagCollector::truth() const {
   return samples;
 }
 
-std::optional<Eigen::Vector2d> BagCollector::antenna_in_base(const std::string& frame) const {
-  const std::string name = without_slash(frame);
-  if (name == base_frame_) return Eigen::Vector2d::Zero();
-  const auto antenna = transform(base_frame_, name);
-  if (!antenna) return std::nullopt;
-  return Eigen::Vector2d(antenna->translation.x, antenna->translation.y);
-}
-
 std::optional<Geodetic> BagCollector::datum() const {
-  const auto map = transform(kEarthFrame, truth_frame_);
+  const std::optional<Eigen::Isometry3d> map = antennas_.pose(truth_frame_, kEarthFrame);
   return map ? datum_of(*map) : std::nullopt;
 }
 
@@ -72,7 +68,8 @@ void BagCollector::add(const nav_msgs::Odometry& message) {
   if (!passes(topics_.odometry, checked.reason)) return;
   if (checked.restarted) note_restart(checked.increment.stamp);
   odometry_.push_back(checked.increment);
-  base_frame_ = without_slash(message.child_frame_id);
+  antennas_.set_frames({FrameParameters().map_frame, without_slash(message.header.frame_id),
+                        without_slash(message.child_frame_id)});
 }
 
 void BagCollector::note_restart(double stamp) {
@@ -86,8 +83,11 @@ void BagCollector::note_restart(double stamp) {
 }
 
 void BagCollector::add(const GnssMessage& message) {
-  if (!passes(topic_of(message.index()), check(message, {}))) return;
+  const Reason defect = check(message, {});
+  if (defect != Reason::kAccepted) return refuse(message.index(), defect);
   const double stamp = header_of(message).stamp.toSec();
+  for (const std::string& frame : frames_of(message))
+    antennas_.in_base(frame);  // which sees whether it moves
   received_.push_back({message, odometry_.empty() ? stamp : odometry_.back().stamp});
 }
 
@@ -97,9 +97,9 @@ void BagCollector::add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix)
   if (outcome.pair) add(GnssMessage(*outcome.pair));
 }
 
-void BagCollector::add(const tf2_msgs::TFMessage& message) {
+void BagCollector::add(const tf2_msgs::TFMessage& message, bool is_static) {
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-    tf_.setTransform(transform, "bag", true);
+    antennas_.add(transform, is_static);
   }
 }
 
@@ -125,6 +125,38 @@ void BagCollector::give_up(const sensor_msgs::NavSatFix& fix) {
   refuse(kDualKind, defect == Reason::kAccepted ? Reason::kUnpaired : defect);
 }
 
+void BagCollector::refuse(std::size_t kind, Reason reason) {
+  passes(topic_of(kind), reason);
+  left_out_[kind].count(reason);
+}
+
+Geodetic BagCollector::find_datum() {
+  DatumSearch search({}, OdometryParameters{}.max_speed, 0.0);
+  std::vector<ReceivedMessage> kept;
+  std::size_t next = 0;  // to be decided on
+  std::optional<Geodetic> found;
+  for (const ReceivedMessage& received : received_) {
+    const std::vector<DatumSearch::Decided> decided = search.add(received.message);
+    if (found && distance(*found, *search.place()) > 0.0) {
+      for (const ReceivedMessage& nonsense : std::exchange(kept, {})) {
+        refuse(nonsense.message.index(), Reason::kInvalidPosition);
+      }
+    }
+    found = search.place();
+    for (const auto& [message, reason] : decided) {
+      const double arrival = received_[next++].arrival;
+      if (reason == Reason::kAccepted)
+        kept.push_back({message, arrival});
+      else
+        refuse(message.index(), reason);
+    }
+  }
+  for (const GnssMessage& message : search.take_waiting()) refuse(message.index(), Reason::kInvalidPosition);
+  if (!found) throw DriveError(file_ + ": no three measurements agree on a place for a datum");
+  received_ = kept;
+  return *found;
+}
+
 bool BagCollector::passes(const std::string& topic, Reason reason) {
   if (reason == Reason::kAccepted) return true;
   ++refusals_[topic + ": " + std::string(to_string(reason))];
@@ -134,15 +166,6 @@ bool BagCollector::passes(const std::string& topic, Reason reason) {
 std::string BagCollector::topic_of(std::size_t kind) const {
   if (kind == kFixKind) return topics_.fix;
   return kind == kEpochKind ? topics_.epoch : topics_.left + " and " + topics_.right;
-}
-
-std::optional<geometry_msgs::Transform> BagCollector::transform(const std::string& parent,
-                                                                const std::string& child) const {
-  try {
-    return tf_.lookupTransform(parent, child, ros::Time(0)).transform;
-  } catch (const tf2::TransformException&) {
-    return std::nullopt;
-  }
 }
 
 }  // namespace multipath_localization

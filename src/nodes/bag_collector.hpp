@@ -1,17 +1,18 @@
 #pragma once
 
-#include <geometry_msgs/Transform.h>
 #include <nav_msgs/Odometry.h>
 #include <rosbag/message_instance.h>
-#include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "multipath_localization/core/reason_tally.hpp"
 #include "multipath_localization/evaluation/drive.hpp"
+#include "nodes/antenna_frames.hpp"
 #include "nodes/bag_topics.hpp"
 #include "nodes/fix_pairing.hpp"
 #include "nodes/gnss_message.hpp"
@@ -41,18 +42,23 @@ class BagCollector {
   void finish();
 
   /// Counts something left out of a kind of GNSS message.
-  void refuse(std::size_t kind, Reason reason) { passes(topic_of(kind), reason); }
+  void refuse(std::size_t kind, Reason reason);
+  /// The datum that the node would find by the messages (DatumSearch); leaves out those that are
+  /// contradicted. Throws DriveError where none agree.
+  Geodetic find_datum();
 
   /// Truth by stamp, with the shadow flag last said at each.
   [[nodiscard]] std::vector<TruthSample> truth() const;
-  /// Where in the base the antenna of that frame is, nothing when the bag's static transforms do not tell.
-  [[nodiscard]] std::optional<Eigen::Vector2d> antenna_in_base(const std::string& frame) const;
-  /// The datum of truth's frame, nothing when the bag's static transforms do not tell.
+  /// Where the antennas are on the base, by the bag's transforms.
+  [[nodiscard]] AntennaFrames& antennas() { return antennas_; }
+  /// The datum of truth's frame, nothing when the bag's transforms do not tell.
   [[nodiscard]] std::optional<Geodetic> datum() const;
   [[nodiscard]] const std::vector<OdometryIncrement>& odometry() const { return odometry_; }
   /// Where odometry was silent for so long that the localization node starts afresh.
   [[nodiscard]] const std::vector<Silence>& silences() const { return silences_; }
   [[nodiscard]] const std::vector<ReceivedMessage>& received() const { return received_; }
+  /// What was left out of each kind of GNSS message.
+  [[nodiscard]] const std::array<ReasonTally, kGnssKinds.size()>& left_out() const { return left_out_; }
   /// "TOPIC: REASON, N times" for what was left out.
   [[nodiscard]] std::vector<std::string> refusals() const;
 
@@ -62,7 +68,7 @@ class BagCollector {
   void add(const nav_msgs::Odometry& message);
   void add(const GnssMessage& message);
   void add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix);
-  void add(const tf2_msgs::TFMessage& message);
+  void add(const tf2_msgs::TFMessage& message, bool is_static);
   void note_restart(double stamp);
   void take_truth(const rosbag::MessageInstance& message);
   void add_truth(const std_msgs::Header& header, const geometry_msgs::Pose& message);
@@ -70,15 +76,13 @@ class BagCollector {
   /// Whether that reason lets it pass; counts it otherwise.
   bool passes(const std::string& topic, Reason reason);
   [[nodiscard]] std::string topic_of(std::size_t kind) const;
-  [[nodiscard]] std::optional<geometry_msgs::Transform> transform(const std::string& parent,
-                                                                  const std::string& child) const;
 
   std::string file_;
   BagTopics topics_;
   OdometryReader reader_{{}, ""};
   FixPairing pairing_{GnssParameters{}.pair_tolerance};
-  tf2::BufferCore tf_;
-  std::string base_frame_, truth_frame_;
+  AntennaFrames antennas_{{}};
+  std::string truth_frame_;
   std::vector<OdometryIncrement> odometry_;
   std::vector<Silence> silences_;
   std::vector<ReceivedMessage> received_;
@@ -86,6 +90,7 @@ class BagCollector {
   std::map<double, bool> shadows_;
   bool turns_ = false;  ///< truth has a heading: one that is always zero was never filled in
   std::map<std::string, int> refusals_;
+  std::array<ReasonTally, kGnssKinds.size()> left_out_;
 };
 
 }  // namespace multipath_localization

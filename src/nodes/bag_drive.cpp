@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -11,6 +12,7 @@
 #include "multipath_localization/evaluation/metrics.hpp"
 #include "nodes/bag_collector.hpp"
 #include "nodes/bag_file.hpp"
+#include "nodes/datum.hpp"
 
 namespace multipath_localization {
 
@@ -19,18 +21,19 @@ namespace {
 /// Finds antennas, and notes once of each frame that it is unknown.
 class NotedAntennas {
  public:
-  NotedAntennas(const BagCollector& bag, std::vector<std::string>& notices) : bag_(bag), notices_(notices) {}
+  NotedAntennas(BagCollector& bag, std::vector<std::string>& notices) : bag_(bag), notices_(notices) {}
 
   std::optional<Eigen::Vector2d> operator()(const std::string& frame) {
-    const std::optional<Eigen::Vector2d> antenna = bag_.antenna_in_base(frame);
+    const std::optional<Eigen::Vector2d> antenna = bag_.antennas().in_base(frame);
     if (!antenna && unknown_.insert(frame).second) {
-      notices_.push_back("no static transform to '" + frame + "': a lone antenna is taken to be at the base");
+      notices_.push_back("no transform to " + bag_.antennas().described(frame) +
+                         GnssParameters().otherwise_at());
     }
     return antenna;
   }
 
  private:
-  const BagCollector& bag_;
+  BagCollector& bag_;
   std::vector<std::string>& notices_;
   std::set<std::string> unknown_;
 };
@@ -43,7 +46,7 @@ struct Sighting {
 };
 
 /// Those of the fixes, without fixes those of the pairs, without pairs those of the epochs that tell.
-std::vector<Sighting> sightings(const BagCollector& bag) {
+std::vector<Sighting> sightings(BagCollector& bag) {
   std::vector<Sighting> all;
   std::size_t best = kGnssKinds.size();
   for (const ReceivedMessage& received : bag.received()) best = std::min(best, received.message.index());
@@ -51,7 +54,8 @@ std::vector<Sighting> sightings(const BagCollector& bag) {
     if (received.message.index() != best) continue;
     const std::optional<Geodetic> place = place_of(received.message, {});
     const std_msgs::Header& header = header_of(received.message);
-    const Eigen::Vector2d antenna = bag.antenna_in_base(header.frame_id).value_or(Eigen::Vector2d(0.0, 0.0));
+    const Eigen::Vector2d antenna =
+        bag.antennas().in_base(header.frame_id).value_or(Eigen::Vector2d(0.0, 0.0));
     if (place) all.push_back({header.stamp.toSec(), *place, antenna});
   }
   return all;
@@ -84,12 +88,26 @@ Geodetic fitted_datum(const std::vector<Sighting>& sightings, const std::vector<
   return datum;
 }
 
-Geodetic choose_datum(const BagCollector& bag, const std::optional<Geodetic>& given, Drive& drive) {
+Geodetic choose_datum(BagCollector& bag, const std::optional<Geodetic>& given, Drive& drive) {
   if (given) return *given;
   if (const auto told = bag.datum(); told && !drive.truth.empty()) return *told;
-  const std::vector<Sighting> seen = sightings(bag);
-  if (seen.empty()) throw DriveError("no epoch has enough satellites for a position");
-  return drive.truth.empty() ? seen.front().place : fitted_datum(seen, drive.truth, drive.notices);
+  const Geodetic found = bag.find_datum();
+  return drive.truth.empty() ? found : fitted_datum(sightings(bag), drive.truth, drive.notices);
+}
+
+/// Names a datum that no measurement is near.
+void note_far_datum(const BagCollector& bag, Drive& drive) {
+  for (const ReceivedMessage& received : bag.received()) {
+    const std::optional<Geodetic> place = place_of(received.message, {});
+    if (!drive.measurements.empty() || !place) continue;
+    char told[200];
+    std::snprintf(told, sizeof(told),
+                  " is %.0f km from the measurements: is it of this bag? evaluate --datum "
+                  "%.8f,%.8f tells another",
+                  distance(drive.datum, *place) / 1000.0, place->latitude_deg, place->longitude_deg);
+    drive.notices.push_back("the datum " + to_text(drive.datum) + told);
+    return;
+  }
 }
 
 void read_measurements(BagCollector& bag, Drive& drive) {
@@ -145,6 +163,8 @@ Drive read_bag(const std::string& file, const BagTopics& topics, const std::opti
     read_measurements(collector, drive);
     const std::vector<std::string> refusals = collector.refusals();
     drive.notices.insert(drive.notices.end(), refusals.begin(), refusals.end());
+    drive.left_out = collector.left_out();
+    note_far_datum(collector, drive);
   });
   return drive;
 }

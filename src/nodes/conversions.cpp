@@ -86,6 +86,7 @@ Reason check(const sensor_msgs::NavSatFix& message, const FixParameters& paramet
   if (message.status.status < parameters.min_fix_status) return Reason::kNoFix;
   if (!std::isfinite(message.latitude) || !std::isfinite(message.longitude)) return Reason::kNotFinite;
   if (!valid(to_geodetic(message))) return Reason::kInvalidPosition;
+  if (message.latitude == 0.0 && message.longitude == 0.0) return Reason::kInvalidPosition;
   if (!usable_covariance(message, parameters.largest_sigma)) return Reason::kInvalidCovariance;
   return Reason::kAccepted;
 }

@@ -53,7 +53,7 @@ struct CheckedFix {
 /// | stamp zero                                         | refused: zero stamp                       |
 /// | status below `min_fix_status` (NO_FIX is -1)       | refused: no fix                           |
 /// | latitude, longitude NaN or infinite                | refused: not finite                       |
-/// | latitude, longitude out of range                   | refused: invalid position                 |
+/// | latitude, longitude out of range, or both zero     | refused: invalid position                 |
 /// | further from the datum than `reach`                | refused: invalid position                 |
 /// | altitude NaN                                       | accepted: the datum's altitude            |
 /// | altitude infinite or beyond 100 km                 | refused: invalid position                 |

@@ -29,12 +29,10 @@ geometry_msgs::Transform map_in_earth(const LocalFrame& map) {
   return transform;
 }
 
-std::optional<Geodetic> datum_of(const geometry_msgs::Transform& map_in_earth) {
-  const geometry_msgs::Vector3& t = map_in_earth.translation;
-  const geometry_msgs::Quaternion& q = map_in_earth.rotation;
-  const Geodetic datum = to_geodetic(Eigen::Vector3d(t.x, t.y, t.z));
+std::optional<Geodetic> datum_of(const Eigen::Isometry3d& map_in_earth) {
+  const Geodetic datum = to_geodetic(Eigen::Vector3d(map_in_earth.translation()));
   if (!valid(datum)) return std::nullopt;
-  const Eigen::Quaterniond turn = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+  const Eigen::Quaterniond turn(map_in_earth.linear());
   return turn.angularDistance(turn_of(LocalFrame(datum))) < kSameAxes ? std::optional(datum) : std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/Transform.h>
 
+#include <Eigen/Geometry>
 #include <optional>
 
 #include "multipath_localization/core/geodesy.hpp"
@@ -16,6 +17,6 @@ geometry_msgs::Transform map_in_earth(const LocalFrame& map);
 
 /// The way back: the datum of the map that lies there. Nothing where the frame's axes are not east, north and
 /// up at its origin.
-std::optional<Geodetic> datum_of(const geometry_msgs::Transform& map_in_earth);
+std::optional<Geodetic> datum_of(const Eigen::Isometry3d& map_in_earth);
 
 }  // namespace multipath_localization

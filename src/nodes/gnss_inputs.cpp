@@ -1,7 +1,6 @@
 #include "nodes/gnss_inputs.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace multipath_localization {
@@ -68,12 +67,18 @@ std::string GnssInputs::described() const {
   return text;
 }
 
-double GnssInputs::silence() const {
-  double shortest = std::numeric_limits<double>::infinity();
+bool GnssInputs::silent(double bound) const {
+  return std::all_of(monitors_.begin(), monitors_.end(), [&](const InputMonitor& monitor) {
+    return !monitor.awaited() || monitor.silent(bound);
+  });
+}
+
+std::vector<std::string> GnssInputs::sums() const {
+  std::vector<std::string> all;
   for (const InputMonitor& monitor : monitors_) {
-    if (monitor.awaited()) shortest = std::min(shortest, monitor.silence());
+    if (const std::string sum = monitor.sum(); !sum.empty()) all.push_back(sum);
   }
-  return shortest;
+  return all;
 }
 
 }  // namespace multipath_localization

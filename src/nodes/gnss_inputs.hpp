@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "nodes/fix_pairing.hpp"
 #include "nodes/gnss_message.hpp"
@@ -31,8 +32,10 @@ class GnssInputs {
 
   /// Those awaited, in words: "fix on ... or epoch on ...".
   [[nodiscard]] std::string described() const;
-  /// Since the last message of an awaited kind, or since the start [s, wall clock].
-  [[nodiscard]] double silence() const;
+  /// Whether all awaited kinds are: InputMonitor::silent.
+  [[nodiscard]] bool silent(double bound) const;
+  /// What became of each kind since the start, a sentence each.
+  [[nodiscard]] std::vector<std::string> sums() const;
 
  private:
   void on_fix(const sensor_msgs::NavSatFix::ConstPtr& message);

@@ -39,8 +39,7 @@ class Reading {
   [[nodiscard]] std::optional<Eigen::Vector2d> lone_antenna(const std::string& frame) const {
     const std::optional<Eigen::Vector2d> antenna = antenna_in_base_(frame);
     if (antenna || parameters_.require_antenna_transform) return antenna;
-    const std::vector<double>& given = parameters_.antenna;
-    return given.empty() ? Eigen::Vector2d(0.0, 0.0) : Eigen::Vector2d(given[0], given[1]);
+    return parameters_.antenna_otherwise();
   }
 
   const LocalFrame& map_;
@@ -73,6 +72,23 @@ void GnssParameters::fields(ParameterVisitor& field) {
         "fixes and epochs are of this long before their stamps; tune_from_bag tells");
   field.group("fix", fix, "how fixes are read");
   field.group("epoch", epoch, "how epochs of pseudoranges are read");
+}
+
+Eigen::Vector2d GnssParameters::antenna_otherwise() const {
+  return antenna.empty() ? Eigen::Vector2d(0.0, 0.0) : Eigen::Vector2d(antenna[0], antenna[1]);
+}
+
+std::string GnssParameters::otherwise_at() const {
+  if (require_antenna_transform) return ": it is refused";
+  return antenna.empty() ? ": a lone antenna is taken to be at the base"
+                         : ": a lone antenna is taken to be where the parameter antenna says";
+}
+
+std::vector<std::string> frames_of(const GnssMessage& message) {
+  if (const auto* pair = std::get_if<FixPair>(&message)) {
+    return {pair->left.header.frame_id, pair->right.header.frame_id};
+  }
+  return {header_of(message).frame_id};
 }
 
 const std_msgs::Header& header_of(const GnssMessage& message) {

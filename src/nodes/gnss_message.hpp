@@ -34,6 +34,11 @@ struct GnssParameters {
   FixParameters fix;
   EpochParameters epoch;
 
+  /// Where a lone antenna is that tf does not place on the robot [m].
+  [[nodiscard]] Eigen::Vector2d antenna_otherwise() const;
+  /// ": a lone antenna is taken to be ...", what becomes of one that tf does not place on the robot.
+  [[nodiscard]] std::string otherwise_at() const;
+
   /// Throws ParameterError on an antenna that is neither empty nor two numbers.
   void fields(ParameterVisitor& field);
 };
@@ -56,6 +61,9 @@ struct CheckedMeasurement {
 
 /// Finds the antenna of a frame on the base [m], nothing when tf does not know the frame.
 using AntennaFinder = std::function<std::optional<Eigen::Vector2d>(const std::string& frame)>;
+
+/// Of the antennas, one or two.
+std::vector<std::string> frames_of(const GnssMessage& message);
 
 /// Of a pair the later one's.
 const std_msgs::Header& header_of(const GnssMessage& message);

@@ -14,32 +14,12 @@ using diagnostic_msgs::DiagnosticStatus;
 constexpr double kLongSilence = 2.0;     ///< [s]
 constexpr std::size_t kMostFrames = 10;  ///< unknown to tf, that are told
 
-std::string most_frequent_refusal(const InputMonitor& input) {
-  Reason found = Reason::kAccepted;
-  unsigned most = 0;
-  for (const auto& [reason, number] : input.counts()) {
-    if (!is_fault(reason) || number <= most) continue;
-    found = reason;
-    most = number;
+void summarise_input(diagnostic_updater::DiagnosticStatusWrapper& status, const InputMonitor& input) {
+  const InputMonitor::Standing standing = input.standing();
+  status.summary(standing.sound ? DiagnosticStatus::OK : DiagnosticStatus::WARN, standing.sentence);
+  for (const auto& [reason, number] : input.tally().counts()) {
+    status.add(std::string(to_string(reason)), number);
   }
-  return std::string(to_string(found));
-}
-
-void summarise_input(diagnostic_updater::DiagnosticStatusWrapper& status, const InputMonitor& input,
-                     unsigned& refused_then) {
-  const unsigned newly_refused = input.refused() - std::exchange(refused_then, input.refused());
-  if (!input.seen()) {
-    status.summaryf(DiagnosticStatus::WARN, "waiting for %s", input.described().c_str());
-  } else if (input.silence() > kLongSilence) {
-    status.summaryf(DiagnosticStatus::WARN, "silent for %.0f s: %s", input.silence(),
-                    input.described().c_str());
-  } else if (newly_refused > 0) {
-    status.summaryf(DiagnosticStatus::WARN, "refused %u, most often for: %s", newly_refused,
-                    most_frequent_refusal(input).c_str());
-  } else {
-    status.summary(DiagnosticStatus::OK, "arrives and is used");
-  }
-  for (const auto& [reason, number] : input.counts()) status.add(std::string(to_string(reason)), number);
 }
 
 unsigned char level_of(Trust trust) {
@@ -103,16 +83,16 @@ void LocalizationDiagnostics::Figures::tell(Status& status) const {
 
 void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
   const InputMonitor& input = gnss_.of(kind);
-  summarise_input(status, input, figures_[kind].refused);
+  summarise_input(status, input);
   const std::optional<FrozenReceiver>& frozen = localizer_.frozen();
-  if (kind == kFixKind && frozen && input.silence() < kLongSilence) {
+  if (kind == kFixKind && frozen && !input.silent(kLongSilence)) {
     status.summaryf(DiagnosticStatus::ERROR,
                     "receiver frozen %.0f s, the robot has driven %.0f m meanwhile: restart its driver",
                     frozen->duration, frozen->driven);
   }
   if (!input.awaited()) {
     status.summary(DiagnosticStatus::OK, parameters_.estimator + " has no use for it");
-  } else if (!input.seen() && gnss_.silence() < kLongSilence) {
+  } else if (!input.seen() && !gnss_.silent(kLongSilence)) {
     status.summary(DiagnosticStatus::OK, "does not come and is not needed");
   } else if (const std::string sigmas = sigmas_told(figures_[kind].last);
              status.level == DiagnosticStatus::OK && !sigmas.empty()) {
@@ -122,7 +102,7 @@ void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
 }
 
 void LocalizationDiagnostics::report_odometry(Status& status) {
-  summarise_input(status, odometry_, refused_odometry_);
+  summarise_input(status, odometry_);
   if (localizer_.mirrored()) {
     status.summary(
         DiagnosticStatus::ERROR,
@@ -158,14 +138,14 @@ void LocalizationDiagnostics::report_filter(Status& status) {
 void LocalizationDiagnostics::report_tf(Status& status) {
   const FrameParameters& frames = parameters_.frames;
   std::string unknown;
-  for (const std::string& frame : unknown_antenna_frames_) unknown += " " + tf_.described(frame);
+  for (const std::string& frame : unknown_antenna_frames_) unknown += " " + tf_.antennas().described(frame);
   if (!tf_.broadcaster_of_odom().empty() && parameters_.outputs.publish_tf) {
     status.summary(DiagnosticStatus::ERROR, tf_.broadcaster_of_odom() + " broadcasts a parent of " +
                                                 frames.odom_frame +
                                                 " too: stop it, or set publish_tf to false");
   } else if (!unknown.empty()) {
     status.summary(DiagnosticStatus::WARN, "no transform from " + frames.base_link_frame + " to" + unknown +
-                                               ": a lone antenna is taken to be at the base");
+                                               parameters_.gnss.otherwise_at());
   } else {
     status.summary(DiagnosticStatus::OK, parameters_.outputs.publish_tf
                                              ? "broadcasts " + frames.map_frame + " -> " + frames.odom_frame

@@ -44,7 +44,6 @@ class LocalizationDiagnostics {
     void tell(Status& status) const;
 
     bool shown = false;
-    unsigned refused = 0;  ///< when last told
     FixReport last;
   };
 
@@ -60,7 +59,6 @@ class LocalizationDiagnostics {
   Backlog& backlog_;
   const LocalizationParameters& parameters_;
   std::array<Figures, kGnssKinds.size()> figures_;
-  unsigned refused_odometry_ = 0;  ///< at the last report
   unsigned poses_ = 0;
   double slowest_update_ = 0.0;
   std::string note_;

@@ -25,7 +25,9 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
                                    const LocalizationSettings& settings)
     : parameters_(settings.parameters),
       localizer_(settings.make_estimator(), parameters_.localizer),
-      datum_(parameters_.datum.place(), parameters_.datum_averaging, parameters_.datum_file),
+      datum_(parameters_.datum.place(),
+             DatumSearch(parameters_.gnss, parameters_.odometry.max_speed, parameters_.datum_averaging),
+             parameters_.datum_file),
       map_services_(node, datum_, parameters_.frames.map_frame, [this] { forget("a datum was set"); }),
       odometry_reader_(parameters_.odometry, parameters_.frames.map_frame),
       tf_(node, parameters_.frames),
@@ -67,7 +69,9 @@ void LocalizationNode::spin() {
     backlog_.begin_turn();
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kWaitForMessages));
     if (held_.duration() > 0.0) answer_odometry();
+    if (!unplaced_.empty()) weigh_waiting();
   }
+  tell_sums();
 }
 
 void LocalizationNode::tune(ParameterVisitor& field) {
@@ -86,7 +90,7 @@ void LocalizationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) 
   odometry_input_.count(checked.reason);
   if (checked.restarted) restart_time("the stamps of odometry have jumped");
   if (checked.reason != Reason::kAccepted) {
-    ROS_WARN_THROTTLE(kTellEvery, "odometry refused: %s", std::string(to_string(checked.reason)).c_str());
+    if (const std::string why = odometry_input_.complaint(); !why.empty()) ROS_WARN("%s", why.c_str());
     return;
   }
   const ros::WallTime begin = ros::WallTime::now();
@@ -100,6 +104,7 @@ void LocalizationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) 
   if (backlog_.take(begin) && held_.duration() < kLongestHeld) return backlog_.count_merged();
   answer_odometry();
   for (const auto& [kind, early] : std::exchange(early_, {})) use(early);
+  if (!unplaced_.empty()) weigh_waiting();
   diagnostics_.add_update_time((ros::WallTime::now() - begin).toSec());
 }
 

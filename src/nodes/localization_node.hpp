@@ -11,11 +11,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "nodes/background_writer.hpp"
 #include "nodes/backlog.hpp"
 #include "nodes/datum.hpp"
 #include "nodes/estimate_messages.hpp"
+#include "nodes/frame_patience.hpp"
 #include "nodes/gnss_inputs.hpp"
 #include "nodes/localization_diagnostics.hpp"
 #include "nodes/localization_outputs.hpp"
@@ -52,21 +54,28 @@ class LocalizationNode {
 
   /// The antenna of a frame on the base, nothing where tf does not know.
   std::optional<Eigen::Vector2d> antenna_in_base(const std::string& frame);
+  /// Whether tf may yet place an antenna of the message and is given a moment to.
+  bool waits_for_frame(const GnssMessage& message);
+  /// Whether tf has placed an antenna since that was taken to be elsewhere.
+  bool antenna_appeared(const GnssMessage& message);
   /// Hands what odometry is held to the localizer.
   void catch_up();
   /// The same, and publishes what comes of it.
   void answer_odometry();
-  /// Reads a measurement and hands it to the localizer, or gives the reason why not.
-  Reason hand_over(const GnssMessage& message);
-  /// The same, and publishes what comes of it.
+  /// Looks for the datum by a measurement, and weighs what the search lets pass.
+  void admit(const GnssMessage& message);
+  /// Reads a measurement and hands it to the localizer; refuses it, or lets it wait for its frame.
+  void weigh(const GnssMessage& message);
+  void weigh_waiting();
+  /// Admits a measurement and publishes what comes of it.
   void use(const GnssMessage& message);
   /// Reports a measurement as refused.
-  void refuse(const GnssMessage& message, Reason reason);
+  void refuse(const GnssMessage& message, Reason reason, const std::string& detail = "");
   /// Answers the odometry that has no pose as yet: the last message, and at the start those before it,
   /// because the first fix may reach us after odometry that is younger.
   void publish_poses();
   void publish_reports();
-  void publish(FixReport report, const Innovation& innovation);
+  void publish(FixReport report, const Innovation& innovation, const std::string& detail = "");
   [[nodiscard]] ros::Time odometry_stamp() const {
     return odometry_ ? odometry_->message.header.stamp : ros::Time();
   }
@@ -75,7 +84,7 @@ class LocalizationNode {
   bool set_pose(const geometry_msgs::PoseWithCovarianceStamped& message);
   /// Starts the estimator afresh, at the prior if there is one. What had waited is reported as not started.
   void restart(const std::string& why, const std::optional<PosePrior>& prior = std::nullopt);
-  /// The same after the stamps of odometry have jumped, forgetting also what tf said and what was last seen.
+  /// The same after the stamps of odometry have jumped, forgetting also what was last seen.
   void restart_time(const std::string& why);
   /// The same, and the next odometry is a first one.
   void forget(const std::string& why);
@@ -87,6 +96,8 @@ class LocalizationNode {
   /// Shows all that may change while it runs to a visitor that may change it.
   void tune(ParameterVisitor& field);
   void tell_what_is_missing();
+  /// What became of each input, as the node ends: roscpp's console is closed by then.
+  void tell_sums() const;
 
   LocalizationParameters parameters_;
   Localizer localizer_;
@@ -114,6 +125,9 @@ class LocalizationNode {
   std::optional<ReadOdometry> odometry_;      ///< the last one accepted
   std::deque<ReadOdometry> unanswered_;       ///< those of the last moments without a pose as yet
   std::map<std::size_t, GnssMessage> early_;  ///< by kind, the last that came before any odometry
+  std::vector<GnssMessage> unplaced_;         ///< that wait for tf to place their antennas
+  FramePatience patience_;
+  std::map<std::string, Eigen::Vector2d> assumed_;  ///< antennas that tf did not place, by frame [m]
 
   ros::Subscriber initial_pose_, pose_to_set_;
   ros::ServiceServer reset_, global_localization_, toggle_, set_pose_;

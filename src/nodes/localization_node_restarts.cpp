@@ -1,6 +1,7 @@
 #include <ros/console.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "nodes/localization_node.hpp"
 #include "nodes/saved_pose.hpp"
@@ -72,6 +73,8 @@ void LocalizationNode::restart(const std::string& why, const std::optional<PoseP
   held_.take();
   map_to_odom_.jump();
   early_.clear();
+  unplaced_.clear();
+  datum_.drop_waiting();
   unanswered_.clear();
   gnss_.clear();
   while (const auto left = reports_.close_oldest()) publish(*left, refused(Reason::kNotStarted));
@@ -83,7 +86,6 @@ void LocalizationNode::restart_time(const std::string& why) {
   odometry_.reset();
   restart(why);
   map_to_odom_.clear();
-  tf_.clear();
 }
 
 void LocalizationNode::forget(const std::string& why) {
@@ -115,7 +117,8 @@ void LocalizationNode::resume() {
 
 void LocalizationNode::save_pose(const PoseEstimate& estimate) {
   const double stamp = odometry_stamp().toSec();
-  if (parameters_.pose_file.empty() || std::abs(stamp - pose_saved_) < kSaveEvery) return;
+  if (parameters_.pose_file.empty() || !datum_.settled() || std::abs(stamp - pose_saved_) < kSaveEvery)
+    return;
   pose_saved_ = stamp;
   const SavedPose pose{datum_.map()->datum(), estimate.pose, covariance_overall(estimate),
                        state_of(odometry_->message, odometry_->base_in_odom), estimate.aligned};
@@ -133,9 +136,17 @@ void LocalizationNode::watch_clock() {
 void LocalizationNode::tell_what_is_missing() {
   if (!enabled_) return;
   std::string missing;
-  if (odometry_input_.silence() >= kLongSilence) missing = odometry_input_.described();
-  if (gnss_.silence() >= kLongSilence) missing += (missing.empty() ? "" : ", ") + gnss_.described();
+  if (odometry_input_.silent(kLongSilence)) missing = odometry_input_.described();
+  if (gnss_.silent(kLongSilence)) missing += (missing.empty() ? "" : ", ") + gnss_.described();
   if (!missing.empty()) ROS_WARN("waiting for: %s", missing.c_str());
+}
+
+void LocalizationNode::tell_sums() const {
+  std::vector<std::string> sums = gnss_.sums();
+  sums.push_back(odometry_input_.sum());
+  for (const std::string& sum : sums) {
+    if (!sum.empty()) std::cerr << ros::this_node::getName() << ": " << sum << "\n";
+  }
 }
 
 }  // namespace multipath_localization

@@ -44,8 +44,8 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
   outputs.fields(field);
   datum.fields(field);
   field("datum_file", datum_file, {},
-        "absolute path where the datum is saved, and read at the next start; empty: nowhere. Not beside "
-        "`datum`");
+        "absolute path where the datum is saved once fixes have driven 10 m from it, and read at the next "
+        "start; empty: nowhere. Not beside `datum`");
   field("pose_file", pose_file, {},
         "absolute path where the pose is saved every second, and read at the next start, so that a node that "
         "died goes on where it was; empty: nowhere");
@@ -56,7 +56,7 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
   field(
       "datum_averaging", datum_averaging, {0.0, 600.0}, "s",
       "without a datum, map's origin is the median of the fixes (of raw epochs the least-squares solutions) "
-      "of this time, 0: the first");
+      "of this time, 0: the first; either begins with three that agree");
   gnss.fields(field);
   field.group("odometry", odometry, "how odometry is read");
   field.group("localizer", localizer, "how late and missing measurements are treated");

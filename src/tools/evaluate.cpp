@@ -222,6 +222,7 @@ int evaluate(const Options& options) {
   if (!options.suite.empty()) {
     for (const std::string& sentence : shortcomings(runs)) std::cout << sentence << "\n";
   }
+  std::cout << losses(runs);
   if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
   if (!options.plot_file.empty()) plot(options.plot_file, to_trace(title, first, runs));
   return report_failures(runs) == 0 ? 0 : 1;

@@ -3,7 +3,10 @@
 #include <boost/program_options.hpp>
 #include <iostream>
 
+#include "multipath_localization/core/reason_tally.hpp"
+#include "multipath_localization/estimators/localizer.hpp"
 #include "nodes/bag_drive.hpp"
+#include "nodes/gnss_message.hpp"
 #include "tools/tuning/tuning.hpp"
 
 namespace multipath_localization {
@@ -19,6 +22,20 @@ po::options_description options_of(BagTopics& topics) {
   add("odom-topic", po::value(&topics.odometry), "of nav_msgs/Odometry");
   add("help", "print this");
   return options;
+}
+
+/// What the localization node would do with the fixes, by what the reader left out and by their stamps.
+ReasonTally fates_of_fixes(const Drive& drive) {
+  ReasonTally fates = drive.left_out[kFixKind];
+  const LocalizerParameters node;
+  for (const RecordedMeasurement& recorded : drive.measurements) {
+    if (recorded.measurement.index() != kFixKind) continue;
+    const double late = recorded.arrival - stamp_of(recorded.measurement);
+    fates.count(late > node.history_length      ? Reason::kOldStamp
+                : late < -node.future_tolerance ? Reason::kFutureStamp
+                                                : Reason::kAccepted);
+  }
+  return fates;
 }
 
 int run(int argc, char** argv) {
@@ -37,6 +54,9 @@ int run(int argc, char** argv) {
   const Drive drive = read_bag(file, topics, std::nullopt);
   for (const std::string& notice : drive.notices) std::cerr << "tune_from_bag: " << notice << "\n";
   std::cout << "# tune_from_bag --bag " << file << "\n" << to_yaml(tune(drive));
+  const ReasonTally fates = fates_of_fixes(drive);
+  if (fates.falls_short())
+    std::cerr << "tune_from_bag: the node, of fixes: " << fates.explained_sum() << "\n";
   return 0;
 }
 

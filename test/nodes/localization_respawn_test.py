@@ -35,7 +35,7 @@ class RespawnTest(unittest.TestCase):
     def lived(self, robot):
         """A first life until the pose is confirmed and the last one is on the disk."""
         def use(session):
-            session.begin(robot)
+            session.begin(robot, fixes=3)
             session.drive(robot, 25.0)
             self.assertEqual(session.states[-1].name, 'GOOD')
             session.wait(lambda: self.saved_stamp() > robot.stamp - 1.5, 'the file')
@@ -84,7 +84,7 @@ class RespawnTest(unittest.TestCase):
         robot = Robot(seed=7, noise=0.1)
 
         def use(session):
-            session.begin(robot)
+            session.begin(robot, fixes=3)
             session.drive(robot, 10.0)  # faster than the disk writes
         self.run_node(use, signal.SIGINT)
         self.assertGreater(self.saved_stamp(), robot.stamp - 1.5)
@@ -105,7 +105,7 @@ class RespawnTest(unittest.TestCase):
         with open(self.file, 'r+', encoding='utf-8') as file:
             file.truncate(120)
         def use(session):
-            session.begin(robot)
+            session.begin(robot, fixes=3)
             session.drive(robot, 1.0)
             self.assertEqual(session.states[-1].name, 'ALIGNING')
         self.run_node(use)

@@ -21,7 +21,7 @@ class LocalizationStream(unittest.TestCase):
         for pose in poses:
             self.assertEqual(pose.header.frame_id, 'map')
             self.assertEqual(pose.child_frame_id, 'base_link')
-            self.assertAlmostEqual(pose.twist.twist.linear.x, 2.0)
+            self.assertAlmostEqual(pose.twist.twist.linear.x, 2.0, delta=1e-4, msg='stamps are of whole microseconds')
             self.assertTrue(all(math.isfinite(number) for number in numbers_of(pose)))
         self.assertTrue(all(len(answers) == 1 for answers in self.session.poses.values()), 'one pose per message')
 

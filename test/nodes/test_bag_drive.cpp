@@ -8,6 +8,7 @@
 #include "multipath_localization/evaluation/metrics.hpp"
 #include "nodes/bag_drive.hpp"
 #include "nodes/earth_frame.hpp"
+#include "nodes/gnss_message.hpp"
 #include "recorded_bag.hpp"
 
 namespace multipath_localization {
@@ -95,6 +96,47 @@ TEST(ReadBag, TakesTheDatumThatEarthTells) {
   const Drive drive = read_bag(file, {}, std::nullopt);
   EXPECT_NEAR(drive.datum.latitude_deg, 48.001, 1e-12) << "and not the median of the fixes";
   EXPECT_EQ(read_bag(file, {}, kDatum).datum.latitude_deg, kDatum.latitude_deg) << "given, it is that";
+}
+
+/// A recording with some fixes more at the beginning.
+std::string with_first(const Recording& recording, const Geodetic& place, int fixes) {
+  const std::string file = record(recording);
+  rosbag::Bag bag(file, rosbag::bagmode::Append);
+  for (int i = 0; i < fixes; ++i) {
+    sensor_msgs::NavSatFix fix = fix_at(990.0 + i, {0.0, 0.0});
+    fix.latitude = place.latitude_deg;
+    fix.longitude = place.longitude_deg;
+    bag.write("/gps/fix", ros::Time(990.0 + i), fix);
+  }
+  return file;
+}
+
+TEST(ReadBag, TakesNoDatumFromNonsense) {
+  Recording recording;
+  recording.with_truth = recording.with_shadow = false;
+  recording.bias = {0.0, 0.0};
+  const auto expect_sound = [](const Drive& drive, Reason reason, unsigned fixes) {
+    EXPECT_NEAR(drive.datum.latitude_deg, kDatum.latitude_deg, 1e-3);
+    EXPECT_EQ(drive.fixes().size(), 21u);
+    EXPECT_EQ(drive.left_out[kFixKind].of(reason), fixes);
+  };
+  expect_sound(read_bag(with_first(recording, {0.0, 0.0, 0.0}, 5), {}, std::nullopt),
+               Reason::kInvalidPosition, 5);
+  expect_sound(read_bag(with_first(recording, {50.0, 8.0, 0.0}, 1), {}, std::nullopt),
+               Reason::kInvalidPosition, 1);
+  expect_sound(read_bag(with_first(recording, {50.0, 8.0, 0.0}, 6), {}, std::nullopt),
+               Reason::kInvalidPosition, 6);
+  recording.with_truth = recording.with_shadow = true;
+  expect_sound(read_bag(with_first(recording, {50.0, 8.0, 0.0}, 6), {}, std::nullopt),
+               Reason::kInvalidPosition, 6);
+}
+
+TEST(ReadBag, NamesADatumFarFromAllFixes) {
+  const Drive drive = read_bag(record({}), {}, Geodetic{0.0, 0.0, 0.0});
+  EXPECT_TRUE(drive.fixes().empty());
+  EXPECT_EQ(drive.left_out[kFixKind].of(Reason::kInvalidPosition), 21u);
+  EXPECT_NE(drive.notices.back().find("is 5260 km from"), std::string::npos) << drive.notices.back();
+  EXPECT_NE(drive.notices.back().find("--datum 48.0"), std::string::npos) << drive.notices.back();
 }
 
 TEST(ReadBag, SaysThatItHoldsNoGnss) {

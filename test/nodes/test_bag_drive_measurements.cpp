@@ -40,7 +40,7 @@ TEST(ReadBag, LeavesOutWhatTheNodeRefusesAndSaysSo) {
             (std::vector<std::string>{"/gps/fix: not finite, 1 times", "/odom: not finite, 1 times"}));
 }
 
-TEST(ReadBag, AntennaIsWhereTheStaticTransformsHaveIt) {
+TEST(ReadBag, AntennaIsWhereTheTransformsHaveIt) {
   const std::string file = record({});
   {
     rosbag::Bag bag(file, rosbag::bagmode::Append);
@@ -54,6 +54,26 @@ TEST(ReadBag, AntennaIsWhereTheStaticTransformsHaveIt) {
   const Drive without = read_bag(record(unknown), {}, kDatum);
   EXPECT_EQ(without.fixes().front().antenna_in_base, Eigen::Vector2d(0.0, 0.0));
   EXPECT_EQ(without.notices.size(), 1u);
+}
+
+TEST(ReadBag, FixedJointsOnTfPlaceTheAntennaAndMovingOnesDoNot) {
+  Recording recording;
+  recording.with_antenna = false;
+  for (const double way : {0.0, 0.1}) {  // of the antenna from fix to fix
+    const std::string file = record(recording);
+    {
+      rosbag::Bag bag(file, rosbag::bagmode::Append);
+      for (int i = 0; i <= 20; ++i) {
+        bag.write("/tf", ros::Time(1000.0 + i), antenna_at(0.4 + way * i, -0.1, "/gps"));
+      }
+    }
+    const Drive drive = read_bag(file, {}, kDatum);
+    EXPECT_EQ(drive.fixes().front().antenna_in_base,
+              way == 0.0 ? Eigen::Vector2d(0.4, -0.1) : Eigen::Vector2d(0.0, 0.0));
+    EXPECT_EQ(drive.notices.size(), way == 0.0 ? 0u : 1u);
+    if (way == 0.0) continue;
+    EXPECT_NE(drive.notices.front().find("moves on the robot"), std::string::npos);
+  }
 }
 
 TEST(ReadBag, ReadsEpochsWithAndWithoutFixes) {

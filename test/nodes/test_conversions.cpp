@@ -76,6 +76,7 @@ TEST(ToFix, RefusesWhatTheMapDoesNotReach) {
   EXPECT_EQ(reason_after([](auto& f) { f.latitude = 53.3; }), Reason::kAccepted) << "89 km";
   EXPECT_EQ(reason_after([](auto& f) { f.latitude = 53.5; }), Reason::kInvalidPosition) << "111 km";
   EXPECT_EQ(reason_after([](auto& f) { f.latitude = f.longitude = 0.0; }), Reason::kInvalidPosition);
+  EXPECT_EQ(reason_after([](auto& f) { f.latitude = 0.0; }), Reason::kInvalidPosition);
 }
 
 TEST(ToFix, AcceptsAltitudeNaN) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "good_epoch.hpp"
+#include "nodes/antenna_frames.hpp"
 #include "nodes/drive_messages.hpp"
 #include "nodes/earth_frame.hpp"
 
@@ -87,7 +88,7 @@ TEST(DriveMessages, PlaceTheAntennasAndTheMap) {
   const auto transforms = later_by(0.0).static_transforms(drive).transforms;
   ASSERT_EQ(transforms.size(), 5U);
   EXPECT_EQ(transforms[0].header.frame_id, kEarthFrame);
-  const std::optional<Geodetic> datum = datum_of(transforms[0].transform);
+  const std::optional<Geodetic> datum = datum_of(*to_isometry(transforms[0].transform));
   ASSERT_TRUE(datum);
   EXPECT_NEAR(datum->latitude_deg, drive.datum.latitude_deg, 1e-9);
   const auto left = std::find_if(transforms.begin(), transforms.end(),

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "good_fix.hpp"
+#include "nodes/antenna_frames.hpp"
 #include "nodes/earth_frame.hpp"
 
 namespace multipath_localization {
@@ -8,7 +9,7 @@ namespace {
 
 TEST(MapInEarth, TellsTheDatum) {
   for (const Geodetic& datum : {Geodetic{52.5, 13.4, 40.0}, {-33.9, 151.2, -5.0}, {0.0, -179.9, 3000.0}}) {
-    const auto back = datum_of(map_in_earth(LocalFrame(datum)));
+    const auto back = datum_of(*to_isometry(map_in_earth(LocalFrame(datum))));
     ASSERT_TRUE(back);
     EXPECT_NEAR(back->latitude_deg, datum.latitude_deg, 1e-12);
     EXPECT_NEAR(back->longitude_deg, datum.longitude_deg, 1e-12);
@@ -30,10 +31,10 @@ TEST(DatumOf, RefusesOtherAxes) {
   geometry_msgs::Transform transform = map_in_earth(berlin());
   transform.rotation = geometry_msgs::Quaternion();
   transform.rotation.w = 1.0;
-  EXPECT_FALSE(datum_of(transform));
+  EXPECT_FALSE(datum_of(*to_isometry(transform)));
   transform = map_in_earth(berlin());
   transform.translation.x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(datum_of(transform));
+  EXPECT_FALSE(to_isometry(transform));
 }
 
 }  // namespace

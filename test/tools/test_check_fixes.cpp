@@ -78,5 +78,27 @@ TEST(CheckDatum, FindsARoundedAndASwappedOne) {
   EXPECT_TRUE(ToFix(check_datum(seen), "is not latitude, longitude", "datum: [52.5123"));
 }
 
+TEST(CheckDatum, NamesASavedOneAndItsFile) {
+  Observations seen = healthy_robot();
+  seen.datum = {0.0, 0.0};
+  seen.datum_file = "/data/site.yaml";
+  EXPECT_TRUE(ToFix(check_datum(seen), "km from the fixes, saved in /data/site.yaml", "rm /data/site.yaml"));
+  seen.datum = {52.5123, 13.4123};
+  EXPECT_TRUE(Passes(check_datum(seen))) << "nobody typed that";
+}
+
+TEST(CheckPlaces, FindsZerosAndStrangers) {
+  Observations seen = healthy_robot();
+  EXPECT_TRUE(Passes(check_places(seen)));
+  for (std::size_t i = 0; i < 15; ++i) seen.fixes[i].message.latitude = seen.fixes[i].message.longitude = 0.0;
+  EXPECT_TRUE(ToFix(check_places(seen), "15 of 600 are at 0, 0", "publish nothing without a fix"));
+  EXPECT_TRUE(Passes(check_frozen(seen))) << "what is refused is not taken for a receiver that has frozen";
+  EXPECT_FALSE(motion_of(seen).fixes.empty());
+  EXPECT_LT(motion_of(seen).fixes.front().position.norm(), 100.0) << "the rest is looked at all the same";
+  seen = healthy_robot();
+  seen.fixes.front().message.latitude += 30.0;
+  EXPECT_TRUE(ToFix(check_places(seen), "1 of 600 are over 100 km from [52.5123", "one receiver"));
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -72,5 +72,24 @@ TEST(CheckAntenna, WantsItKnownNearAndNotTurned) {
   EXPECT_NE(check_antenna(seen).front().what.find("0.30, -0.10"), std::string::npos);
 }
 
+TEST(CheckAntenna, FollowsTheTreeToTheBase) {
+  Observations seen = healthy_robot();
+  seen.transforms = {broadcast("/base_footprint", "/base_link", "/state", -0.5),
+                     broadcast("/base_footprint", "/gps", "/state", 0.4)};
+  EXPECT_TRUE(Passes(check_antenna(seen)));
+  EXPECT_NE(check_antenna(seen).front().what.find("gps is at 0.90, 0.00, 0.00 in base_link"),
+            std::string::npos);
+  seen.transforms.erase(seen.transforms.begin());
+  EXPECT_TRUE(ToFix(check_antenna(seen), "nobody says where gps is", "base_link -> gps"));
+}
+
+TEST(CheckAntenna, NamesWhatIsNoMast) {
+  Observations seen = healthy_robot();
+  seen.transforms.push_back(broadcast("base_link", "gps", "/turret", 0.9));
+  EXPECT_TRUE(ToFix(check_antenna(seen), "moves on the robot", "antenna: [X, Y]"));
+  seen.transforms = {broadcast("odom", "gps", "/beacon"), broadcast("odom", "base_link", "/base")};
+  EXPECT_TRUE(ToFix(check_antenna(seen), "does not ride on the robot", "antenna: [X, Y]"));
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -44,6 +45,8 @@ struct RunRecord {
   std::optional<double> longest_off;             ///< the estimate was off on end [s]
   std::optional<double> longest_beyond_3_sigma;  ///< by its own covariance, on end [s]
   Course course;                                 ///< scenarios only
+  /// What became of the measurements, by kind, those that the reader left out among them; recordings only.
+  std::array<ReasonTally, std::variant_size_v<Measurement>> fates;
   double cpu = 0.0;  ///< processor time of the thread, the simulator's included [s]
 
   std::string kind;   ///< of the drive, by which suites sum up; empty: there are no kinds

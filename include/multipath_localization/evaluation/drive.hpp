@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/core/reason_tally.hpp"
 #include "multipath_localization/evaluation/csv.hpp"
 
 namespace multipath_localization {
@@ -34,6 +37,7 @@ struct Drive {
   std::vector<std::string> notices;               ///< what the reader had to assume or to leave out
   /// Stamps of odometry that came after one was missed for so long that the localization starts afresh [s].
   std::vector<double> restarts;
+  std::array<ReasonTally, std::variant_size_v<Measurement>> left_out;  ///< measurements, by kind
 
   /// Stamp of the first thing recorded, from which times are counted [s].
   [[nodiscard]] double start() const;

@@ -20,4 +20,8 @@ std::string to_json(const std::vector<RunRecord>& runs);
 /// worst run. Columns that apply to no line are left out.
 std::string to_table(const std::vector<RunRecord>& runs);
 
+/// For each estimator that could not use more than a tenth of a kind of measurements, in its first run over a
+/// recording, a line that says why: "gated_ekf: fixes: 3 of 240 used; old stamp 237 (...)".
+std::string losses(const std::vector<RunRecord>& runs);
+
 }  // namespace multipath_localization

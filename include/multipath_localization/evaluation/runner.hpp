@@ -20,6 +20,9 @@ using EstimatorFactory = std::function<std::unique_ptr<Estimator>()>;
 /// Told the fraction of a run that is done, 0..1, now and then.
 using ProgressReport = std::function<void(double)>;
 
+/// Told what became of each measurement.
+using FateReport = std::function<void(const MeasurementReport&)>;
+
 /// How an estimator is put on a stream.
 struct RunSettings {
   LocalizerParameters localizer;
@@ -40,7 +43,7 @@ class RunError : public std::runtime_error {
 /// as without estimate. At the drive's restarts the localizer starts afresh, position and heading unknown.
 /// Throws RunError.
 std::vector<Epoch> run_drive(const Drive& drive, const EstimatorFactory& make, const RunSettings& settings,
-                             const ProgressReport& progress = nullptr);
+                             const ProgressReport& progress = nullptr, const FateReport& fate = nullptr);
 
 /// The prior of a known start: the pose, with 0.1 m and 0.02 rad of standard deviation.
 PosePrior known_start(double stamp, const Pose2& base_in_map);

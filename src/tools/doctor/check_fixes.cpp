@@ -4,6 +4,7 @@
 #include "multipath_localization/estimators/localizer.hpp"
 #include "multipath_localization/evaluation/metrics.hpp"
 #include "nodes/conversions.hpp"
+#include "nodes/datum.hpp"
 #include "tools/doctor/checks.hpp"
 #include "tools/doctor/shape_fit.hpp"
 
@@ -55,6 +56,31 @@ Findings check_status(const Observations& seen) {
                                                                     : "have status -1, and count as told"))};
 }
 
+Findings check_places(const Observations& seen) {
+  const std::optional<Geodetic> place = place_of_fixes(seen);
+  const std::size_t zero =
+      count(seen, [](const auto& fix) { return fix.latitude == 0.0 && fix.longitude == 0.0; });
+  Findings all;
+  if (zero > 0) {
+    all.push_back(fix(of_all(zero, seen, "are at 0, 0, as a message that nobody filled in, and are refused"),
+                      "in the receiver's driver: publish nothing without a fix, or status.status = -1"));
+  }
+  if (!place) return all;
+  const LocalFrame map(*place);
+  const FixParameters& node = seen.fix_parameters;
+  const std::size_t far = count(seen, [&](const auto& fix) {
+    return check(fix, node) == Reason::kAccepted && to_fix(fix, map, node).reason != Reason::kAccepted;
+  });
+  if (far == 0) return zero > 0 ? all : Findings{pass("fix: all are near one another")};
+  all.push_back(fix(of_all(far, seen,
+                           text("are over %.0f km from %s, where the first that agree are, and are "
+                                "refused",
+                                node.reach / 1000.0, to_text(*place).c_str())
+                               .c_str()),
+                    "one receiver on this topic only, which publishes nothing before it has a fix"));
+  return all;
+}
+
 Findings check_declared_covariance(const Observations& seen) {
   if (seen.fixes.empty()) return {};
   const FixParameters& node = seen.fix_parameters;
@@ -72,7 +98,9 @@ Findings check_declared_covariance(const Observations& seen) {
         "in the receiver's driver: position_covariance_type = COVARIANCE_TYPE_UNKNOWN, which stands for fix: "
         "{default_sigma}")};
   }
-  const std::size_t unknown = count(seen, [](const auto& fix) { return std::isnan(declared_sigma(fix)); });
+  const std::size_t unknown = count(seen, [&](const auto& fix) {
+    return std::isnan(declared_sigma(fix)) && check(fix, any_status) != Reason::kInvalidPosition;
+  });
   if (unknown > 0) {
     const std::string what =
         of_all(unknown, seen, text("declare no covariance; they count as %g m", node.default_sigma).c_str());
@@ -119,6 +147,7 @@ Findings check_frozen(const Observations& seen) {
   const sensor_msgs::NavSatFix* first = nullptr;  // of those at one place
   for (const auto& arrived : seen.fixes) {
     const sensor_msgs::NavSatFix& now = arrived.message;
+    if (check(now, seen.fix_parameters) != Reason::kAccepted) continue;
     if (first == nullptr || now.latitude != first->latitude || now.longitude != first->longitude)
       first = &now;
     const std::optional<double> from = track.distance(first->header.stamp.toSec());
@@ -135,23 +164,22 @@ Findings check_datum(const Observations& seen) {
   if (seen.datum.size() < 2) return {};
   const std::string what = text("datum: %.9g, %.9g", seen.datum[0], seen.datum[1]);
   const Geodetic datum{seen.datum[0], seen.datum[1], 0.0};
-  const auto usable = std::find_if(seen.fixes.begin(), seen.fixes.end(), [&](const auto& arrived) {
-    return check(arrived.message, seen.fix_parameters) == Reason::kAccepted;
-  });
-  const std::string by_fix =
-      usable == seen.fixes.end()
-          ? std::string("datum: [LATITUDE, LONGITUDE], with 8 decimals")
-          : text("datum: [%.8f, %.8f]", usable->message.latitude, usable->message.longitude);
-  if (!valid(datum)) return {fix(what + " is not latitude, longitude", "localization.yaml: " + by_fix)};
-  if (usable != seen.fixes.end()) {
-    const double away = LocalFrame(datum).to_map(to_geodetic(usable->message)).norm();
+  const std::optional<Geodetic> place = place_of_fixes(seen);
+  const std::string by_fix = seen.datum_file.empty()
+                                 ? "localization.yaml: datum: " +
+                                       (place ? to_text(*place) : "[LATITUDE, LONGITUDE], with 8 decimals")
+                                 : "rm " + seen.datum_file + ", and start the node again";
+  if (!valid(datum)) return {fix(what + " is not latitude, longitude", by_fix)};
+  if (place) {
+    const double away = distance(datum, *place);
     if (!(away < kFarthestDatum)) {
-      return {fix(what + text(" is %.0f km from the fixes; latitude comes first", away / 1000.0),
-                  "localization.yaml: " + by_fix)};
+      const std::string why =
+          seen.datum_file.empty() ? "; latitude comes first" : ", saved in " + seen.datum_file;
+      return {fix(what + text(" is %.0f km from the fixes", away / 1000.0) + why, by_fix)};
     }
   }
-  if (rounded(seen.datum[0]) && rounded(seen.datum[1])) {
-    return {fix(what + " is rounded to four decimals, up to 8 m off", "localization.yaml: " + by_fix)};
+  if (seen.datum_file.empty() && rounded(seen.datum[0]) && rounded(seen.datum[1])) {
+    return {fix(what + " is rounded to four decimals, up to 8 m off", by_fix)};
   }
   return {pass(what)};
 }

@@ -1,9 +1,8 @@
-#include <tf2/LinearMath/Quaternion.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "nodes/antenna_frames.hpp"
 #include "nodes/conversions.hpp"
 #include "tools/doctor/checks.hpp"
 
@@ -110,21 +109,19 @@ Finding placed_by(const Observations& seen, const std::string& edge, const std::
              "rosnode kill " + node + ", or localization.launch publish_tf:=false");
 }
 
-/// Of an antenna that tf knows.
-Finding antenna_at(const Observations& seen, const geometry_msgs::TransformStamped& antenna) {
-  const std::string frame = without_slash(antenna.child_frame_id);
-  const std::string parent = without_slash(antenna.header.frame_id);
-  const geometry_msgs::Vector3& at = antenna.transform.translation;
-  const geometry_msgs::Quaternion& q = antenna.transform.rotation;
-  const double turn = tf2::Quaternion(q.x, q.y, q.z, q.w).getAngleShortestPath();
+/// Of an antenna that tf places in the base.
+Finding antenna_at(const Observations& seen, const std::string& frame, const Eigen::Isometry3d& antenna) {
+  const Eigen::Vector3d at = antenna.translation();
+  const double turn = Eigen::AngleAxisd(antenna.linear()).angle();
+  const std::string& base = seen.frames.base_link_frame;
   const std::string what =
-      text("tf: %s is at %.2f, %.2f, %.2f in %s", frame.c_str(), at.x, at.y, at.z, parent.c_str());
+      text("tf: %s is at %.2f, %.2f, %.2f in %s", frame.c_str(), at.x(), at.y(), at.z(), base.c_str());
   if (!(turn <= kLargestTurn)) {
     return fix(what + text(", turned by %.0f degrees, which an antenna is not", turn * 180.0 / kPi),
-               text("rosrun tf2_ros static_transform_publisher %g %g %g 0 0 0 %s %s", at.x, at.y, at.z,
-                    parent.c_str(), frame.c_str()));
+               text("rosrun tf2_ros static_transform_publisher %g %g %g 0 0 0 %s %s", at.x(), at.y(), at.z(),
+                    base.c_str(), frame.c_str()));
   }
-  if (!(std::hypot(at.x, at.y) <= kFarthestAntenna)) {
+  if (!(at.head<2>().norm() <= kFarthestAntenna)) {
     return fix(what + ", which is off the robot", place_antenna(seen, frame));
   }
   return pass(what);
@@ -132,17 +129,22 @@ Finding antenna_at(const Observations& seen, const geometry_msgs::TransformStamp
 
 Finding antenna_in(const Observations& seen, const std::string& frame) {
   if (frame == seen.frames.base_link_frame) return pass("fix: the antenna is at the base, as its frame says");
-  const auto known = std::find_if(seen.transforms.rbegin(), seen.transforms.rend(), [&](const Broadcast& b) {
-    return without_slash(b.transform.child_frame_id) == frame;
-  });
-  if (known == seen.transforms.rend() && !seen.antenna.empty()) {
+  AntennaFrames frames(seen.frames);
+  for (const Broadcast& broadcast : seen.transforms) {
+    frames.add(broadcast.transform, broadcast.is_static);
+    frames.in_base(frame);  // which sees whether it moves
+  }
+  const std::optional<Eigen::Isometry3d> antenna = frames.pose(frame, seen.frames.base_link_frame);
+  const bool rides = frames.in_base(frame).has_value();
+  if (antenna && (rides || antenna->translation().head<2>().norm() > kFarthestAntenna)) {
+    return antenna_at(seen, frame, *antenna);
+  }
+  if (antenna) return fix("tf: " + frames.described(frame), place_antenna(seen, frame));
+  if (!seen.antenna.empty()) {
     return pass(text("fix: the antenna is at %.2f, %.2f on the base, by the parameter antenna",
                      seen.antenna[0], seen.antenna[1]));
   }
-  if (known == seen.transforms.rend()) {
-    return fix("tf: nobody says where " + frame + " is on the robot", place_antenna(seen, frame));
-  }
-  return antenna_at(seen, known->transform);
+  return fix("tf: nobody says where " + frame + " is on the robot", place_antenna(seen, frame));
 }
 
 }  // namespace

@@ -27,6 +27,8 @@ Findings check_antenna(const Observations& seen);
 
 /// Status of the fixes.
 Findings check_status(const Observations& seen);
+/// Places that are nonsense: 0, 0, or far from the others.
+Findings check_places(const Observations& seen);
 /// Declared covariances: zero, unknown, not finite, huge.
 Findings check_declared_covariance(const Observations& seen);
 /// Declared standard deviation against the scatter of the fixes about the odometry.

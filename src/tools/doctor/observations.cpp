@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "nodes/conversions.hpp"
+#include "nodes/datum_search.hpp"
 #include "nodes/odometry_reader.hpp"
 
 namespace multipath_localization {
@@ -13,12 +14,11 @@ namespace {
 
 std::vector<GnssFix> fixes_of(const Observations& seen) {
   std::vector<GnssFix> fixes;
-  std::optional<LocalFrame> map;
-  const FixParameters& parameters = seen.fix_parameters;
+  const std::optional<Geodetic> origin = place_of_fixes(seen);
+  if (!origin) return fixes;
+  const LocalFrame map(*origin);
   for (const auto& arrived : seen.fixes) {
-    if (check(arrived.message, parameters) != Reason::kAccepted) continue;
-    if (!map) map.emplace(to_geodetic(arrived.message));
-    const CheckedFix checked = to_fix(arrived.message, *map, parameters);
+    const CheckedFix checked = to_fix(arrived.message, map, seen.fix_parameters);
     const bool in_order = fixes.empty() || checked.fix.stamp > fixes.back().stamp;
     if (checked.reason == Reason::kAccepted && in_order) fixes.push_back(checked.fix);
   }
@@ -54,6 +54,19 @@ bool is_output(const std::string& topic) {
 }
 
 }  // namespace
+
+std::optional<Geodetic> place_of_fixes(const Observations& seen) {
+  GnssParameters gnss;
+  gnss.fix = seen.fix_parameters;
+  DatumSearch search(gnss, seen.odometry_parameters.max_speed, 0.0);
+  std::optional<Geodetic> first;
+  for (const auto& arrived : seen.fixes) {
+    if (check(arrived.message, seen.fix_parameters) != Reason::kAccepted) continue;
+    if (!first) first = to_geodetic(arrived.message);
+    search.add(arrived.message);
+  }
+  return search.place() ? search.place() : first;
+}
 
 Motion motion_of(const Observations& seen, Voice voice) {
   const std::vector<OdometryIncrement> increments = increments_of(seen, voice);

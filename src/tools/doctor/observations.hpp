@@ -39,7 +39,8 @@ struct Observations {
   std::vector<Arrived<sensor_msgs::NavSatFix>> fixes;
   std::vector<Arrived<nav_msgs::Odometry>> odometry;
   std::vector<Broadcast> transforms;
-  std::vector<double> datum;    ///< of the parameters, empty for none
+  std::vector<double> datum;    ///< of the parameters, or saved in their datum_file; empty for none
+  std::string datum_file;       ///< where it was saved, empty where it is one of the parameters
   std::vector<double> antenna;  ///< of the parameters, empty for none
   FixParameters fix_parameters;
   OdometryParameters odometry_parameters;
@@ -49,8 +50,12 @@ struct Observations {
   bool clock = false;         ///< somebody publishes /clock, or it was recorded
 };
 
-/// The usable fixes in a map with origin at the first of them, antenna at the base, and the usable odometry,
-/// as the localization node reads them.
+/// The datum that the node would find by the usable fixes (DatumSearch), or the first of them where no three
+/// agree; nothing where there are none.
+std::optional<Geodetic> place_of_fixes(const Observations& seen);
+
+/// The usable fixes in a map with that origin, antenna at the base, and the usable odometry, as the
+/// localization node reads them.
 struct Motion {
   std::vector<GnssFix> fixes;
   std::vector<OdometryIncrement> increments;

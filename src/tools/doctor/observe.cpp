@@ -8,6 +8,7 @@
 
 #include "nodes/bag_file.hpp"
 #include "nodes/conversions.hpp"
+#include "nodes/datum_file.hpp"
 #include "nodes/parameter_server.hpp"
 
 namespace multipath_localization {
@@ -20,6 +21,11 @@ void take_parameters(const YAML::Node& source, Observations& seen) {
   const LocalizationParameters parameters = LocalizationSettings::from(source).parameters;
   seen.frames = parameters.frames;
   seen.datum = parameters.datum.numbers;
+  const auto saved = parameters.datum_file.empty() ? std::nullopt : read_datum(parameters.datum_file);
+  if (saved) {
+    seen.datum = {saved->latitude_deg, saved->longitude_deg};
+    seen.datum_file = parameters.datum_file;
+  }
   seen.antenna = parameters.gnss.antenna;
   seen.fix_parameters = parameters.gnss.fix;
   seen.odometry_parameters = parameters.odometry;
