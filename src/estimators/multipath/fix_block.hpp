@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 #include "multipath_localization/core/measurements.hpp"
@@ -19,6 +19,8 @@ class FixBlock {
   void move(const Pose2& step);
 
   void add(const GnssFix& fix) { fixes_.push_back(fix); }
+
+  [[nodiscard]] std::size_t size() const { return fixes_.size(); }
 
   /// The fixes as one, those that agree by a heading of `yaw` [rad]; forgets them. At least one has to be
   /// there.
