@@ -82,7 +82,7 @@ class Services {
   }
 
   ByteStream in_;
-  Datum datum_{std::nullopt, 0.0};
+  Datum datum_{std::nullopt, DatumSearch({}, 50.0, 0.0)};
   Localizer localizer_;
 };
 

@@ -19,7 +19,6 @@ constexpr double kLongestSum = 1.0;  ///< odometry is linearised over at most th
 /// Fixes within this time are one, just below a receiver's second, while odometry is better than they are
 /// [s].
 constexpr double kBlock = 0.9;
-constexpr double kConstantPart = 0.5;   ///< of the slow error of fixes, which no drive is long enough to see
 constexpr double kOutage = 2.0;         ///< without a fix for longer, wheels are judged without one [s]
 constexpr double kShortestTime = 1e-3;  ///< between two fixes of one stamp [s]
 constexpr double kLeastSigma = 1e-3;    ///< no receiver is better than that, whatever it declares [m]
@@ -216,9 +215,9 @@ PoseEstimate MultipathParticleFilter::estimate() const {
                       (F * mixture.covariance * F.transpose() + turned * noise * turned.transpose());
   const Eigen::Vector2d between_stamps =
       rotation(result.pose.yaw).col(0) * parameters_.stamp_sigma * state_->speed;
+  // The slow error may be one that stays for the whole drive, which nobody sees.
   result.covariance.topLeftCorner<2, 2>() +=
-      (square(parameters_.position_sigma_floor) + square(kConstantPart) * mixture.slow_variance) *
-          Eigen::Matrix2d::Identity() +
+      (square(parameters_.position_sigma_floor) + mixture.slow_variance) * Eigen::Matrix2d::Identity() +
       between_stamps * between_stamps.transpose();
   result.position_covariance_overall = result.covariance.topLeftCorner<2, 2>();
   result.dominance = mixture.agreement;
