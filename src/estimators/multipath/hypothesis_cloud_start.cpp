@@ -12,9 +12,8 @@ constexpr std::size_t kHeadings = 64;        // all round the circle: 6 degrees 
 constexpr std::size_t kLawsPerHeading = 50;  // at least, of errors
 constexpr double kRingSpacing = 0.6;         // sigma of a heading, in spacings: neighbours overlap
 constexpr double kNarrowHeading = 0.1;       // a known heading that one Kalman filter holds [rad]
-constexpr double kShadowAtStart = 0.2;       // a robot is often switched on beside its shed
+constexpr double kShadowAtStart = 0.3;       // a robot is often switched on beside its shed
 constexpr double kLeastStartBias = 1.5;      // [m]
-constexpr double kLongestStartTime = 60.0;   // while a receiver finds its satellites biases move [s]
 constexpr double kLargestStartBias = 150.0;  // receivers start worse than they go on [m]
 
 // One robot of five comes as it left the bench: a wheel radius or track width nobody measured, yaw rates from
@@ -51,7 +50,6 @@ void HypothesisCloud::spread(std::size_t count) {
     h.in_shadow = random.uniform() < kShadowAtStart;
     h.shadow_law = draw_shadow_law(h.law.open_sigma() * h.level, kLargestStartBias, random);
     h.shadow_law.size = log_uniform(kLeastStartBias, kLargestStartBias, random);
-    h.shadow_law.time = std::min(h.shadow_law.time, kLongestStartTime);
     h.covariance(kScale, kScale) = constant_variance(noise.scale_sigma, kWideScaleSigma, random);
     h.covariance(kGyroBias, kGyroBias) = constant_variance(noise.gyro_bias_sigma, kWideGyroBiasSigma, random);
     h.covariance(kTurnScale, kTurnScale) =

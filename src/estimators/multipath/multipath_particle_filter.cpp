@@ -16,8 +16,7 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kLongestSum = 1.0;  ///< odometry is linearised over at most this long [s]
-/// Fixes within this time are one, just below a receiver's second, while odometry is better than they are
-/// [s].
+/// Fixes within this time are one, just below a receiver's second [s].
 constexpr double kBlock = 0.9;
 constexpr double kOutage = 2.0;         ///< without a fix for longer, wheels are judged without one [s]
 constexpr double kShortestTime = 1e-3;  ///< between two fixes of one stamp [s]
@@ -31,18 +30,6 @@ multipath::OdometryErrors errors_of(const multipath::State& mean) {
   return {mean(multipath::kScale), mean(multipath::kGyroBias), mean(multipath::kTurnScale),
           mean(multipath::kCurvature)};
 }
-
-/// How far odometry may be off by its noise.
-struct Drift {
-  double position_variance = 0.0;  ///< an axis [m^2]
-  double yaw_variance = 0.0;       ///< [rad^2]
-
-  void add(const multipath::OdometrySum& odometry, const multipath::Mixture& mixture) {
-    const Eigen::Matrix3d noise = odometry.noise(mixture.way_noise, mixture.turn_noise);
-    position_variance += 0.5 * (noise(0, 0) + noise(1, 1)) + 0.5 * yaw_variance * square(odometry.length());
-    yaw_variance += noise(2, 2);
-  }
-};
 
 /// As declared, but positive definite.
 GnssFix with_proper_covariance(GnssFix fix) {
@@ -85,7 +72,6 @@ struct MultipathParticleFilter::State {
 
   /// Moves the hypotheses on by the odometry so far.
   void flush() {
-    drift.add(odometry, cloud.mixture());
     cloud.propagate(odometry);
     block.move({odometry.displacement().x(), odometry.displacement().y(), odometry.turn()});
     restart_odometry();
@@ -105,7 +91,6 @@ struct MultipathParticleFilter::State {
   multipath::AlignmentMonitor alignment;
   multipath::OdometrySum odometry;  ///< since the hypotheses were last moved
   multipath::FixBlock block;
-  Drift drift;  ///< since the last fix was weighed
   multipath::WheelWatch wheels;
   FixCheck fix_check;
   double now = 0.0;
@@ -128,7 +113,6 @@ void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParamete
   sighting.shadow_entry_rate = 1.0 / parameters.time_between_shadows;
   cloud.weigh(sighting);
   last_weighed = now;
-  drift = {};
   restart_odometry();
   alignment.update(way, cloud.mixture().covariance(2, 2));
 }
@@ -188,8 +172,7 @@ Innovation MultipathParticleFilter::update(const Measurement& z) {
                       state_->fixes_in_block * mixture.white_variance * Eigen::Matrix2d::Identity();
   result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
   state_->block.add(fix);
-  const bool coarse = state_->drift.position_variance > 0.5 * fix.covariance.trace();
-  if (coarse || state_->now - state_->last_weighed >= kBlock) state_->weigh(parameters_);
+  if (state_->now - state_->last_weighed >= kBlock) state_->weigh(parameters_);
   return result;
 }
 
