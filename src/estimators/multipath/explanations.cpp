@@ -71,14 +71,14 @@ class Explainer {
   void apply(const Explanation& chosen, Hypothesis& hypothesis);
 
  private:
-  Decay slow_decay(double from, double to) const;
-  Decay shadow_decay() const;
+  [[nodiscard]] Decay slow_decay(double from, double to) const;
+  [[nodiscard]] Decay shadow_decay() const;
   void under_open_sky();
   void in_shadow();
   void lost();
   void add(double prior, Explanation explanation);
   void add_with_fault(double prior, Explanation explanation);
-  double log_likelihood(const Explanation& explanation) const;
+  [[nodiscard]] double log_likelihood(const Explanation& explanation) const;
 
   const Hypothesis& h_;
   const Sighting& z_;

@@ -21,15 +21,19 @@ std::vector<bool> agreeing(const std::vector<Eigen::Vector2d>& places) {
   if (places.size() < kFewestToTell) return std::vector<bool>(places.size(), true);
   std::vector<double> east;
   std::vector<double> north;
+  east.reserve(places.size());
+  north.reserve(places.size());
   for (const Eigen::Vector2d& place : places) {
     east.push_back(place.x());
     north.push_back(place.y());
   }
   const Eigen::Vector2d middle(median(east), median(north));
   std::vector<double> distances;
+  distances.reserve(places.size());
   for (const Eigen::Vector2d& place : places) distances.push_back((place - middle).norm());
   const double reach = kReach * median(distances) + kLeastReach;
   std::vector<bool> agree;
+  agree.reserve(places.size());
   for (const double distance : distances) agree.push_back(distance <= reach);
   return agree;
 }

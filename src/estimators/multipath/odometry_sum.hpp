@@ -27,7 +27,7 @@ class OdometrySum {
   /// Of the increments from now on.
   void set_noise(const OdometryNoise& noise) { noise_ = noise; }
   void restart(const OdometryErrors& errors);
-  void add(const OdometryIncrement& increment);
+  void add(const OdometryIncrement& u);
 
   /// Displacement [m] and turn [rad] with the errors of `restart`.
   [[nodiscard]] const Eigen::Vector2d& displacement() const { return displacement_; }
@@ -49,7 +49,7 @@ class OdometrySum {
   [[nodiscard]] double length() const { return length_; }              ///< of the way [m]
 
  private:
-  void add_noise(const OdometryIncrement& increment, const Eigen::Vector2d& step, double turn);
+  void add_noise(const OdometryIncrement& u, const Eigen::Vector2d& way, double turn);
 
   OdometryNoise noise_;
   OdometryErrors errors_;
