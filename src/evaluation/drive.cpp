@@ -169,6 +169,17 @@ Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& 
   return truth.has_yaw ? truth.base_in_map * antenna_in_base : truth.base_in_map.position();
 }
 
+namespace {
+
+/// Says how many of the fixes were not used.
+void note_refused(const std::optional<CsvTable>& fixes, std::size_t used, std::vector<std::string>& notices) {
+  if (!fixes || used == fixes->rows()) return;
+  notices.push_back("fix.csv: " + std::to_string(fixes->rows() - used) +
+                    " rows refused: " + std::string(to_string(Reason::kNoFix)));
+}
+
+}  // namespace
+
 Drive read_drive(const std::string& directory) {
   const std::filesystem::path folder = directory;
   Drive drive;
@@ -190,10 +201,7 @@ Drive read_drive(const std::string& directory) {
   drive.odometry = exists(folder / "odometry.csv") ? read_odometry(folder / "odometry.csv")
                                                    : odometry_by_doppler(epochs, directory, drive.notices);
   for (const std::size_t row : fix_rows) drive.measurements.push_back(read_fix(*fixes, row, map));
-  if (fixes && fix_rows.size() < fixes->rows()) {
-    drive.notices.push_back("fix.csv: " + std::to_string(fixes->rows() - fix_rows.size()) +
-                            " rows refused: " + std::string(to_string(Reason::kNoFix)));
-  }
+  note_refused(fixes, fix_rows.size(), drive.notices);
   drive.measurements.insert(drive.measurements.end(), epochs.begin(), epochs.end());
   std::stable_sort(
       drive.measurements.begin(), drive.measurements.end(),

@@ -38,6 +38,29 @@ void run_oracle_over(const RandomDrive& drive, const Batch& batch, RunRecord& ru
   run.cpu = thread_cpu_time() - started;
 }
 
+/// What holds for all runs over a drive.
+RunRecord run_over(const RandomDrive& made, const Batch& batch, std::uint64_t seed) {
+  RunRecord run;
+  run.source = batch.source;
+  run.seed = seed;
+  run.kind = to_string(made.robot.receiver.kind);
+  run.about = describe(made.robot);
+  run.traits = traits_of(made);
+  return run;
+}
+
+/// Runs one of the estimators, or names the oracle, which has run, behind them.
+void run_variant(const Stream& stream, const Batch& batch, const std::vector<std::string>& parameters,
+                 std::size_t variant, RunRecord& run) {
+  if (variant == batch.estimators.size()) {
+    run.estimator = kOracle;
+  } else {
+    run.estimator = batch.estimators[variant].label;
+    make_run(stream, batch, batch.estimators[variant].name, parameters[variant], nullptr, run);
+  }
+  run.epochs = {};
+}
+
 }  // namespace
 
 std::vector<RunRecord> run_random(const Batch& batch, const std::vector<std::string>& parameters,
@@ -46,22 +69,12 @@ std::vector<RunRecord> run_random(const Batch& batch, const std::vector<std::str
   std::vector<RunRecord> runs(all * batch.seeds);
   for_each_index(batch.seeds, batch.jobs, [&](std::size_t i) {
     RandomDrive made = random_drive(batch.first_seed + i);
-    for (std::size_t variant = 0; variant < all; ++variant) {
-      RunRecord& run = runs[variant * batch.seeds + i];
-      run.source = batch.source;
-      run.seed = batch.first_seed + i;
-      run.kind = to_string(made.robot.receiver.kind);
-      run.about = describe(made.robot);
-      run.traits = traits_of(made);
-    }
+    const RunRecord over = run_over(made, batch, batch.first_seed + i);
+    for (std::size_t variant = 0; variant < all; ++variant) runs[variant * batch.seeds + i] = over;
     run_oracle_over(made, batch, runs[batch.estimators.size() * batch.seeds + i]);
     const Stream stream = std::move(made.drive);
     for (std::size_t variant = 0; variant < all; ++variant) {
-      RunRecord& run = runs[variant * batch.seeds + i];
-      const bool oracle = variant == batch.estimators.size();
-      run.estimator = oracle ? kOracle : batch.estimators[variant].label;
-      if (!oracle) make_run(stream, batch, batch.estimators[variant].name, parameters[variant], nullptr, run);
-      run.epochs = {};
+      run_variant(stream, batch, parameters, variant, runs[variant * batch.seeds + i]);
       if (progress) progress(i, static_cast<double>(variant + 1) / static_cast<double>(all));
     }
   });

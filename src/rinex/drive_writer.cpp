@@ -121,6 +121,7 @@ void DriveWriter::add(const CorrectedEpoch& epoch) {
 
 std::vector<double> DriveWriter::write(const std::vector<Row>& rows, std::ostream& out) {
   std::vector<ChainLink> links;
+  links.reserve(rows.size());
   for (const Row& row : rows) {
     links.push_back(
         {row.t, LocalFrame(row.fix.antenna).origin(), row.speed, row.fix.solution.degrees_of_freedom});

@@ -23,6 +23,20 @@ bool reachable(const ChainLink& from, const ChainLink& to) {
   return (to.position - from.position).norm() <= kScatter + speed * duration;
 }
 
+/// Of the links before number i from which that one can be reached the heaviest; i itself where there is
+/// none.
+std::size_t heaviest_before(const std::vector<ChainLink>& links, const std::vector<int>& weight,
+                            std::size_t i) {
+  std::size_t best = i;
+  int most = 0;
+  for (std::size_t j = i; j-- > 0 && i - j <= kFarthestBack;) {
+    if (weight[j] <= most || !reachable(links[j], links[i])) continue;
+    most = weight[j];
+    best = j;
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<bool> on_its_way(const std::vector<ChainLink>& links) {
@@ -31,14 +45,8 @@ std::vector<bool> on_its_way(const std::vector<ChainLink>& links) {
   std::vector<std::size_t> before(links.size());  // on it; itself: none
   std::size_t last = 0;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    int most = 0;
-    before[i] = i;
-    for (std::size_t j = i; j-- > 0 && i - j <= kFarthestBack;) {
-      if (weight[j] <= most || !reachable(links[j], links[i])) continue;
-      most = weight[j];
-      before[i] = j;
-    }
-    weight[i] = most + 1 + std::clamp(links[i].redundancy, 0, kMostRedundancy);
+    before[i] = heaviest_before(links, weight, i);
+    weight[i] = weight[before[i]] + 1 + std::clamp(links[i].redundancy, 0, kMostRedundancy);
     if (weight[i] > weight[last]) last = i;
   }
   for (std::size_t i = last; i < links.size(); i = before[i]) {

@@ -239,6 +239,7 @@ class ObservationReader {
     std::vector<ReadEpoch> all;
     for (auto& file : files_) std::move(file.begin(), file.end(), std::back_inserter(all));
     std::vector<GnssTime> times;
+    times.reserve(all.size());
     for (const ReadEpoch& read : all) times.push_back(read.epoch.time);
     const std::vector<std::size_t> in_order = longest_in_order(times);
     for (std::size_t i = 0; i < all.size(); ++i) {

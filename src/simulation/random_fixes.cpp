@@ -113,10 +113,14 @@ class FixReader {
     return {};
   }
 
+  [[nodiscard]] static bool follows(const Episode& episode, ShadowLaw law) {
+    return episode.shadow != nullptr && episode.shadow->law == law;
+  }
+
   FixTruth bias(const Episode& episode, double time, double duration) {
     FixTruth truth;
     truth.fault = episode.fault;
-    const bool jumps = episode.shadow != nullptr && episode.shadow->law == ShadowLaw::kJumping;
+    const bool jumps = follows(episode, ShadowLaw::kJumping);
     truth.new_bias = episode != episode_ || (jumps && time >= next_jump_);
     if (truth.new_bias) {
       if (episode != episode_) began_ = time;
@@ -128,7 +132,7 @@ class FixReader {
       bias_ = rotation(truth.bias_turn) * bias_;
     }
     if (episode.fault == FixFault::kNone) return truth;
-    const bool walks = episode.shadow != nullptr && episode.shadow->law == ShadowLaw::kWalkingIn;
+    const bool walks = follows(episode, ShadowLaw::kWalkingIn);
     truth.bias_part = walks ? std::min(1.0, (time - began_) / episode.shadow->interval) : 1.0;
     truth.bias_sigma = episode.length / std::sqrt(2.0);
     truth.bias = truth.bias_part * bias_;

@@ -67,7 +67,7 @@ std::vector<std::string> parameters_of(const Batch& batch, const Stream& stream,
 void rate(const Drive& drive, const Batch& batch, RunRecord& run);
 
 /// Makes the run of an estimator over a stream with the seed that is in `run`, and scores it.
-void make_run(const Stream& stream, const Batch& batch, const std::string& estimator,
+void make_run(const Stream& stream, const Batch& batch, const std::string& name,
               const std::string& parameters, const std::function<void(double)>& progress, RunRecord& run);
 
 /// Makes all runs, in the order of the estimators and then the seeds; `parameters` as from `parameters_of`.
