@@ -13,8 +13,6 @@ namespace multipath_localization::multipath {
 /// antenna was as its lever arm. Those far from the median of the others do not count.
 class FixBlock {
  public:
-  void clear() { fixes_.clear(); }
-
   /// The base has moved on by that, in its own frame.
   void move(const Pose2& step);
 
