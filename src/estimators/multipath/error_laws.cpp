@@ -34,7 +34,10 @@ constexpr Prior kWalk = {1.0, 1.3, 0.01};
 
 constexpr double kFixMemory = 300.0;        // a receiver keeps its quality for minutes: a street [s]
 constexpr double kOdometryMemory = 1000.0;  // a robot keeps its own for longer: a surface, a tyre [s]
-constexpr double kRedrawn = 1.5;            // log sigmas of a law that changes at once, a heavy tail
+// Of one robot in five the odometry is what its data sheet does not know: speeds from a receiver, worn gears.
+constexpr double kRoughShare = 0.2;
+constexpr double kRough = 2.5;    // log sigmas of such a one
+constexpr double kRedrawn = 1.5;  // log sigmas of a law that changes at once, a heavy tail
 
 // A shadow is one where its bias stands out of the errors of an open sky, and matters at all.
 constexpr double kLeastShadow = 1.5;          // [m]
@@ -82,8 +85,9 @@ ErrorLaw draw_error_law(RandomStream& random) {
   law.log_white = kWhite.draw(1.0, random);
   law.log_slow = kSlow.draw(1.0, random);
   law.log_slow_time = draw_slow_time(random);
-  law.log_way = kOdometry.draw(1.0, random);
-  law.log_turn = kOdometry.draw(1.0, random);
+  const double widened = random.uniform() < kRoughShare ? kRough : 1.0;
+  law.log_way = kOdometry.draw(widened, random);
+  law.log_turn = kOdometry.draw(widened, random);
   law.log_walk = kWalk.draw(1.0, random);
   return law;
 }

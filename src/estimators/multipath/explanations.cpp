@@ -22,7 +22,7 @@ constexpr double kLargestOutlier = 40.0;        // [m]
 constexpr double kShadowChangeRate = 1 / 30.0;  // another reflection: a house or two further [1/s]
 // A bias that stays for minutes is rather an error of the pose: what holds that gains on the shadow, which
 // ought to have ended, and outweighs it after about two minutes.
-constexpr double kWrongPoseRate = 1e-4;       // [1/s]
+constexpr double kWrongPoseRate = 3e-4;       // [1/s]
 constexpr double kLostRate = 1e-4;            // of hypotheses that are wrong in a way no other covers [1/s]
 constexpr double kNearLost = 6.0;             // [m]
 constexpr double kFarLost = 600.0;            // [m]
@@ -83,6 +83,7 @@ class Explainer {
   const Hypothesis& h_;
   const Sighting& z_;
   RandomStream& random_;
+  double shadow_level_;    // a receiver that declares less is as smooth in a shadow [m]
   bool standing_;          // wheels that fail may stand while the robot drives
   Matrix2d white_;         // of an open sky [m^2]
   Matrix2d shadow_white_;  // the same by the level that held before the shadow
@@ -107,7 +108,8 @@ Explainer::Explainer(const Hypothesis& hypothesis, const Sighting& sighting, Ran
   standing_ = z_.standing && !h_.wheel_fault.any() && z_.fault_probability <= 0.0;
   const double sigma = std::sqrt(0.5 * z_.fix.covariance.trace());
   white_ = h_.law.white_variance() * z_.fix.covariance;
-  shadow_white_ = std::min(1.0, square(h_.level / sigma)) * white_;
+  shadow_level_ = std::min(h_.level, z_.level);
+  shadow_white_ = std::min(1.0, square(shadow_level_ / sigma)) * white_;
   declared_influence_ = std::max(1.0, square(sigma / h_.level));
   const double reach = std::sqrt(h_.law.white_variance()) * sigma;
   outlier_ = square(log_uniform(3.0 * reach, std::max(kLargestOutlier, 4.0 * reach), random_)) *
@@ -180,7 +182,7 @@ void Explainer::under_open_sky() {
   add(stay * kOutlierShare, outlier);
   Explanation entered;
   entered.in_shadow = entered.new_shadow = true;
-  entered.slow = slow_decay(h_.level, h_.level);
+  entered.slow = slow_decay(h_.level, shadow_level_);
   entered.shadow = {0.0, square(next_shadow_.first)};
   entered.noise = shadow_white_ + square(next_shadow_.noise) * Matrix2d::Identity();
   add(enter, entered);
@@ -194,7 +196,7 @@ void Explainer::in_shadow() {
   log_stay_ = std::log(stay * (1.0 - fault_probability_));
   Explanation on;
   on.in_shadow = true;
-  on.slow = slow_decay(h_.level, h_.level);
+  on.slow = slow_decay(h_.level, shadow_level_);
   on.shadow = shadow_decay();
   on.noise = shadow_white_ + square(h_.shadow_law.noise) * Matrix2d::Identity();
   on.event = false;
@@ -211,7 +213,7 @@ void Explainer::in_shadow() {
   if (!standing_) add(stay * probability(kWrongPoseRate, z_.duration), moved);
   Explanation changed = on;
   changed.event = changed.new_shadow = true;
-  changed.shadow.variance += square(next_shadow_.first);
+  changed.shadow = {0.0, square(next_shadow_.first)};
   changed.noise = shadow_white_ + square(next_shadow_.noise) * Matrix2d::Identity();
   add((1.0 - leave) * change, changed);
   Explanation left;
@@ -271,7 +273,7 @@ void Explainer::apply(const Explanation& chosen, Hypothesis& h) {
   if (chosen.new_shadow) h.shadow_law = next_shadow_;
   if (chosen.moved_by_bias) move_by_bias(h);
   h.in_shadow = chosen.in_shadow && !chosen.moved_by_bias;
-  if (!h.in_shadow) h.level = z_.level;
+  h.level = h.in_shadow ? shadow_level_ : z_.level;
   h.wheel_fault = chosen.fault;
   if (chosen.fault.any()) move_unseen(h, z_.usual_speed, z_.duration, random_);
   if (chosen.displaced > 0.0) {

@@ -37,6 +37,12 @@ void Hypothesis::renew_heading(double yaw, double variance) {
   covariance(kYaw, kYaw) = variance;
 }
 
+void Hypothesis::adopt(const Hypothesis& other) {
+  law = other.law;
+  mean.segment<4>(kScale) = other.mean.segment<4>(kScale);
+  covariance.block<4, 4>(kScale, kScale) = other.covariance.block<4, 4>(kScale, kScale);
+}
+
 void Hypothesis::place_at(const GnssFix& fix) {
   const Eigen::Vector2d lever = rotation(mean(kYaw)) * fix.antenna_in_base;
   const Eigen::Vector2d by_yaw(-lever.y(), lever.x());

@@ -57,6 +57,10 @@ struct Hypothesis {
   /// Forgets the heading: it is `yaw` [rad] with variance `variance`, correlated with nothing.
   void renew_heading(double yaw, double variance);
 
+  /// Takes over what another one holds of the errors of this receiver and this robot: law and constants of
+  /// the odometry.
+  void adopt(const Hypothesis& other);
+
   /// Puts the base where a fix says it is, give or take what the law says fixes are off by, equation (8).
   void place_at(const GnssFix& fix);
 

@@ -65,7 +65,7 @@ void HypothesisCloud::let_wheels_fail(double probability, double speed, double d
   refresh();
 }
 
-void HypothesisCloud::weigh(Sighting sighting) {
+double HypothesisCloud::weigh(Sighting sighting) {
   const double sigma = mean_sigma(sighting.fix.covariance);
   if (!level_) {
     level_ = sigma;
@@ -83,12 +83,19 @@ void HypothesisCloud::weigh(Sighting sighting) {
     wander(h.law, sighting.duration, sighting.standing && !fault, random);
     evidence[i] = explain(h, sighting, random);
   }
-  weigh_by(evidence, sighting.duration, sighting.standing && sighting.fault_probability <= 0.0);
+  const double expected =
+      weigh_by(evidence, sighting.duration, sighting.standing && sighting.fault_probability <= 0.0);
   refresh();
   resample();
+  return expected;
 }
 
-void HypothesisCloud::weigh_by(const std::vector<Evidence>& evidence, double duration, bool standing) {
+double HypothesisCloud::evidence_share(double duration) const {
+  const double time = kOpenEvidenceTime + (kShadowEvidenceTime - kOpenEvidenceTime) * mixture_.shadow;
+  return std::min(1.0, duration / time);
+}
+
+double HypothesisCloud::weigh_by(const std::vector<Evidence>& evidence, double duration, bool standing) {
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     highest = std::max(highest, hypotheses_[i].log_weight + evidence[i].log_likelihood);
@@ -101,8 +108,7 @@ void HypothesisCloud::weigh_by(const std::vector<Evidence>& evidence, double dur
     posterior += std::exp(log_weight + evidence[i].log_likelihood - highest);
   }
   const double expected = highest + std::log(posterior / prior);
-  const double time = kOpenEvidenceTime + (kShadowEvidenceTime - kOpenEvidenceTime) * mixture_.shadow;
-  const double tempered = std::min(1.0, duration / time);
+  const double tempered = evidence_share(duration);
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     Hypothesis& h = hypotheses_[i];
     const bool parked = standing && !h.wheel_fault.any();
@@ -110,6 +116,16 @@ void HypothesisCloud::weigh_by(const std::vector<Evidence>& evidence, double dur
     h.log_weight += share * (evidence[i].log_likelihood - expected);
     if (!parked) h.log_weight += (1.0 - share) * evidence[i].log_stay;
   }
+  return expected;
+}
+
+void HypothesisCloud::take_in(const HypothesisCloud& other, double share) {
+  const std::size_t count = hypotheses_.size();
+  for (Hypothesis& h : hypotheses_) h.log_weight += std::log1p(-share);
+  hypotheses_.insert(hypotheses_.end(), other.hypotheses_.begin(), other.hypotheses_.end());
+  for (std::size_t i = count; i < hypotheses_.size(); ++i) hypotheses_[i].log_weight += std::log(share);
+  refresh();
+  resample(count);
 }
 
 void HypothesisCloud::resample() {
@@ -118,8 +134,12 @@ void HypothesisCloud::resample() {
   const auto wanted = static_cast<std::size_t>(settings_.particles);
   const std::size_t count = settled ? wanted : std::max(most, wanted);
   if (count == most && mixture_.effective_size > kLeastEffective * static_cast<double>(most)) return;
+  resample(count);
+}
+
+void HypothesisCloud::resample(std::size_t count) {
   std::vector<double> weights;
-  weights.reserve(most);
+  weights.reserve(hypotheses_.size());
   for (const Hypothesis& h : hypotheses_) weights.push_back(std::exp(h.log_weight));
   RandomStream random(seed_, step_, kResampling);
   hypotheses_ = selected(hypotheses_, systematic_resampling(weights, count, random.uniform()));

@@ -46,6 +46,9 @@ class HypothesisCloud {
 
   /// Spreads hypotheses all round the circle about a fix, as that one declares itself.
   void start(const GnssFix& fix);
+  /// The same with no more hypotheses than the settings want, every other one with the laws of errors and the
+  /// constants of the odometry that `learnt` has.
+  void start(const GnssFix& fix, const HypothesisCloud& learnt);
   /// Spreads them about a pose; what a fix declares is learnt from the first one.
   void start(const PosePrior& prior);
 
@@ -55,17 +58,25 @@ class HypothesisCloud {
   /// `duration` [s] at the usual `speed` [m/s].
   void let_wheels_fail(double probability, double speed, double duration, bool standing);
 
-  /// Weighs a fix; `sighting.level` is set here, equation (13), (14).
-  void weigh(Sighting sighting);
+  /// Weighs a fix; `sighting.level` is set here, equation (13), (14). Returns the logarithm of its
+  /// probability density [1/m^2].
+  double weigh(Sighting sighting);
+  /// How much of a fix `duration` [s] after the last one counts as evidence.
+  [[nodiscard]] double evidence_share(double duration) const;
+
+  /// Takes in the hypotheses of another cloud as a `share` of the whole.
+  void take_in(const HypothesisCloud& other, double share);
 
   [[nodiscard]] const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
   [[nodiscard]] const Mixture& mixture() const { return mixture_; }
 
  private:
   void spread(std::size_t count);
-  void weigh_by(const std::vector<Evidence>& evidence, double duration, bool standing);
+  void spread_about(const GnssFix& fix);
+  double weigh_by(const std::vector<Evidence>& evidence, double duration, bool standing);
   void refresh();
   void resample();
+  void resample(std::size_t count);
 
   CloudSettings settings_;
   std::uint64_t seed_;

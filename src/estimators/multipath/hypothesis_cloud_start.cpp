@@ -60,14 +60,29 @@ void HypothesisCloud::spread(std::size_t count) {
   ++step_;
 }
 
-void HypothesisCloud::start(const GnssFix& fix) {
-  level_ = std::sqrt(0.5 * fix.covariance.trace());
-  spread(std::max(static_cast<std::size_t>(settings_.particles), kHeadings * kLawsPerHeading));
+void HypothesisCloud::spread_about(const GnssFix& fix) {
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     hypotheses_[i].renew_heading(ring_heading(0.0, kPi, i % kHeadings), square(ring_sigma(kPi)));
     hypotheses_[i].place_at(fix);
   }
   refresh();
+}
+
+void HypothesisCloud::start(const GnssFix& fix) {
+  level_ = std::sqrt(0.5 * fix.covariance.trace());
+  spread(std::max(static_cast<std::size_t>(settings_.particles), kHeadings * kLawsPerHeading));
+  spread_about(fix);
+}
+
+void HypothesisCloud::start(const GnssFix& fix, const HypothesisCloud& learnt) {
+  level_ = std::sqrt(0.5 * fix.covariance.trace());
+  const auto count = static_cast<std::size_t>(settings_.particles);
+  spread(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool as_learnt = (i / kHeadings) % 2 == 0;
+    if (as_learnt) hypotheses_[i].adopt(learnt.hypotheses_[i * learnt.hypotheses_.size() / count]);
+  }
+  spread_about(fix);
 }
 
 void HypothesisCloud::start(const PosePrior& prior) {

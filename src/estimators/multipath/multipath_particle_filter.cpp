@@ -7,6 +7,7 @@
 #include "estimators/multipath/alignment_monitor.hpp"
 #include "estimators/multipath/fix_block.hpp"
 #include "estimators/multipath/hypothesis_cloud.hpp"
+#include "estimators/multipath/rival.hpp"
 #include "estimators/multipath/wheel_watch.hpp"
 #include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
@@ -20,7 +21,8 @@ constexpr double kLongestSum = 1.0;  ///< odometry is linearised over at most th
 constexpr double kBlock = 0.9;
 constexpr double kOutage = 2.0;         ///< without a fix for longer, wheels are judged without one [s]
 constexpr double kShortestTime = 1e-3;  ///< between two fixes of one stamp [s]
-constexpr double kLeastSigma = 1e-3;    ///< no receiver is better than that, whatever it declares [m]
+constexpr std::uint64_t kRivalSeed = 0x9E3779B97F4A7C15U;  ///< its draws are not those of the cloud
+constexpr double kLeastSigma = 1e-3;  ///< no receiver is better than that, whatever it declares [m]
 
 multipath::CloudSettings cloud_settings(const MultipathParticleFilterParameters& parameters) {
   return {parameters.particles, parameters.odometry, parameters.turn_scale_sigma};
@@ -66,6 +68,7 @@ void MultipathParticleFilterParameters::tunable(ParameterVisitor& field) {
 struct MultipathParticleFilter::State {
   State(const MultipathParticleFilterParameters& parameters, std::uint64_t seed, bool confirmed)
       : cloud(cloud_settings(parameters), seed),
+        rival(cloud_settings(parameters), seed + kRivalSeed),
         alignment(confirmed),
         odometry(parameters.odometry),
         wheels(parameters.odometry_jump, parameters.odometry) {}
@@ -73,6 +76,7 @@ struct MultipathParticleFilter::State {
   /// Moves the hypotheses on by the odometry so far.
   void flush() {
     cloud.propagate(odometry);
+    rival.propagate(odometry);
     block.move({odometry.displacement().x(), odometry.displacement().y(), odometry.turn()});
     restart_odometry();
   }
@@ -88,6 +92,7 @@ struct MultipathParticleFilter::State {
   void weigh(const MultipathParticleFilterParameters& parameters);
 
   multipath::HypothesisCloud cloud;
+  multipath::Rival rival;
   multipath::AlignmentMonitor alignment;
   multipath::OdometrySum odometry;  ///< since the hypotheses were last moved
   multipath::FixBlock block;
@@ -111,7 +116,7 @@ void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParamete
   sighting.fault_probability = wheels.fault_probability(sighting.duration);
   sighting.largest_bias = parameters.largest_bias;
   sighting.shadow_entry_rate = 1.0 / parameters.time_between_shadows;
-  cloud.weigh(sighting);
+  rival.weigh(sighting, cloud.weigh(sighting), cloud);
   last_weighed = now;
   restart_odometry();
   alignment.update(way, cloud.mixture().covariance(2, 2));

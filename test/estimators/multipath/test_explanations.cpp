@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "estimators/multipath/explanations.hpp"
@@ -82,6 +83,37 @@ TEST(Explanations, AShadowEndsWhenTheFixesComeBack) {
   const Hypothesis shaded = in_a_shadow_of({8.0, 0.0});
   EXPECT_GT(share(shaded, sighting_at({8.1, 0.2}), in_shadow), 0.9);
   EXPECT_LT(share(shaded, sighting_at({0.1, 0.1}), in_shadow), 0.2);
+}
+
+TEST(Explanations, AnotherReflectionHasNothingOfTheOneBefore) {
+  Hypothesis shaded = in_a_shadow_of({30.0, 0.0});
+  const Sighting back = sighting_at({0.0, 5.0});
+  int changes = 0;
+  double spread = 0.0;
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    RandomStream random(15, 1, i);
+    Hypothesis h = shaded;
+    explain(h, back, random);
+    if (!h.in_shadow || h.shadow_law.size == shaded.shadow_law.size) continue;
+    ++changes;
+    spread += (h.mean.tail<2>() - Eigen::Vector2d(0.0, 5.0)).norm();
+  }
+  ASSERT_GT(changes, 5);
+  EXPECT_LT(spread / changes, 3.0) << "near the new bias, drawn to none, not to the old one";
+}
+
+TEST(Explanations, AShadowTakesOnASmallerDeclaredSigmaAndNoLarger) {
+  const Hypothesis shaded = in_a_shadow_of({8.0, 0.0});
+  for (const double level : {0.02, 0.3, 5.0}) {
+    Sighting z = sighting_at({8.0, 0.0});
+    z.level = level;
+    z.fix.covariance = level * level * Eigen::Matrix2d::Identity();
+    RandomStream random(16, 1, 1);
+    Hypothesis h = shaded;
+    explain(h, z, random);
+    ASSERT_TRUE(h.in_shadow);
+    EXPECT_EQ(h.level, std::min(level, shaded.level));
+  }
 }
 
 TEST(Explanations, StandingGainsNoCertainty) {

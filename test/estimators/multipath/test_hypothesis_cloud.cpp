@@ -114,6 +114,34 @@ TEST(HypothesisCloud, GrowsUnsureByWheelsThatMayFail) {
   EXPECT_GT(cloud.mixture().covariance(0, 0), before + 0.5);
 }
 
+TEST(HypothesisCloud, TakesAnotherInByItsShare) {
+  HypothesisCloud cloud(settings(400), 7);
+  cloud.start(fix_at(0.0, 0.0, 0.3));
+  drive(cloud, 40);
+  HypothesisCloud other(settings(200), 8);
+  other.start(fix_at(100.0, 50.0, 0.3), cloud);
+  EXPECT_EQ(other.hypotheses().size(), 200U);
+  EXPECT_LT((other.mixture().mean.head<2>() - Eigen::Vector2d(100.0, 50.0)).norm(), 1e-9);
+  cloud.take_in(other, 0.25);
+  EXPECT_EQ(cloud.hypotheses().size(), 400U);
+  EXPECT_NEAR(mass(cloud), 1.0, 1e-9);
+  double taken = 0.0;
+  for (const Hypothesis& h : cloud.hypotheses()) taken += h.mean(kY) > 25.0 ? std::exp(h.log_weight) : 0.0;
+  EXPECT_NEAR(taken, 0.25, 0.02);
+}
+
+TEST(HypothesisCloud, StartsAnewWithHalfOfWhatItHasLearnt) {
+  HypothesisCloud learnt(settings(400), 9);
+  learnt.start(fix_at(0.0, 0.0, 0.3));
+  drive(learnt, 60);
+  HypothesisCloud anew(settings(512), 10);
+  anew.start(fix_at(0.0, 0.0, 0.3), learnt);
+  int known = 0;
+  for (const Hypothesis& h : anew.hypotheses()) known += h.covariance(kScale, kScale) < 1e-4 ? 1 : 0;
+  EXPECT_EQ(known, 256);
+  EXPECT_GT(anew.mixture().covariance(2, 2), 2.0) << "of the heading nothing is kept";
+}
+
 TEST(HypothesisCloud, ClearsToNothing) {
   HypothesisCloud cloud(settings(100), 6);
   cloud.start(fix_at(0.0, 0.0, 0.3));
