@@ -37,7 +37,7 @@ TEST(CheckTwist, FindsSignAndScale) {
 TEST(CheckTwist, ReadsStampsThatLeapFurtherThanADurationReaches) {
   Observations seen = healthy_robot();
   for (std::size_t i = 0; i < seen.odometry.size() / 2; ++i)
-    seen.odometry[i].message.header.stamp.sec += 3000000000;
+    seen.odometry[i].message.header.stamp.sec += 3000000000U;
   EXPECT_TRUE(Passes(check_twist(seen)));
 }
 
