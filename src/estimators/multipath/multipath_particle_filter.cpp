@@ -64,6 +64,12 @@ void MultipathParticleFilterParameters::tunable(ParameterVisitor& field) {
   field.group("odometry", odometry, "how far the wheel odometry can be trusted, within a factor of two");
 }
 
+/// Pose of the base in map and covariance of x, y, yaw [m, rad].
+struct Prediction {
+  Pose2 pose;
+  Eigen::Matrix3d covariance;
+};
+
 /// All that is known since the start.
 struct MultipathParticleFilter::State {
   State(const MultipathParticleFilterParameters& parameters, std::uint64_t seed, bool confirmed)
@@ -73,13 +79,24 @@ struct MultipathParticleFilter::State {
         odometry(parameters.odometry),
         wheels(parameters.odometry_jump, parameters.odometry) {}
 
+  /// The pose of now in that of when the hypotheses were last moved.
+  [[nodiscard]] Pose2 moved() const {
+    return {odometry.displacement().x(), odometry.displacement().y(), odometry.turn()};
+  }
+  /// Takes the fixes that wait along to where the base is now.
+  void carry_block() {
+    block.move(inverse(block_moved) * moved());
+    block_moved = moved();
+  }
   /// Moves the hypotheses on by the odometry so far.
   void flush() {
+    carry_block();
     cloud.propagate(odometry);
     rival.propagate(odometry);
-    block.move({odometry.displacement().x(), odometry.displacement().y(), odometry.turn()});
     restart_odometry();
   }
+  /// Where the mean of the hypotheses has got to, by how certain odometry.
+  [[nodiscard]] Prediction predicted() const;
   /// In an outage the odometry alone can show that the wheels fail.
   void doubt_wheels() {
     if (now - last_weighed <= kOutage) return;
@@ -88,7 +105,10 @@ struct MultipathParticleFilter::State {
     const double duration = odometry.duration();
     cloud.let_wheels_fail(begins, wheels.usual_speed(), duration, odometry.moving_time() < 0.5 * duration);
   }
-  void restart_odometry() { odometry.restart(errors_of(cloud.mixture().mean)); }
+  void restart_odometry() {
+    odometry.restart(errors_of(cloud.mixture().mean));
+    block_moved = Pose2{};
+  }
   void weigh(const MultipathParticleFilterParameters& parameters);
 
   multipath::HypothesisCloud cloud;
@@ -96,6 +116,7 @@ struct MultipathParticleFilter::State {
   multipath::AlignmentMonitor alignment;
   multipath::OdometrySum odometry;  ///< since the hypotheses were last moved
   multipath::FixBlock block;
+  Pose2 block_moved;  ///< the part of `moved` that the block has been taken along
   multipath::WheelWatch wheels;
   FixCheck fix_check;
   double now = 0.0;
@@ -105,6 +126,7 @@ struct MultipathParticleFilter::State {
 };
 
 void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParameters& parameters) {
+  flush();
   multipath::Sighting sighting;
   fixes_in_block = static_cast<double>(block.size());
   sighting.fix = block.take(cloud.mixture().mean(multipath::kYaw));
@@ -120,6 +142,18 @@ void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParamete
   last_weighed = now;
   restart_odometry();
   alignment.update(way, cloud.mixture().covariance(2, 2));
+}
+
+Prediction MultipathParticleFilter::State::predicted() const {
+  const multipath::Mixture& mixture = cloud.mixture();
+  const Pose2 then{mixture.mean(multipath::kX), mixture.mean(multipath::kY), mixture.mean(multipath::kYaw)};
+  const Eigen::Vector2d way = rotation(then.yaw) * odometry.displacement();
+  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+  F.topRightCorner<2, 1>() << -way.y(), way.x();
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+  turned.topLeftCorner<2, 2>() = rotation(then.yaw);
+  const Eigen::Matrix3d noise = odometry.noise(mixture.way_noise, mixture.turn_noise);
+  return {then * moved(), F * mixture.covariance * F.transpose() + turned * noise * turned.transpose()};
 }
 
 MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterParameters& parameters,
@@ -168,14 +202,13 @@ Innovation MultipathParticleFilter::update(const Measurement& z) {
     state_->restart_odometry();
     return result;
   }
-  state_->flush();
   const multipath::Mixture& mixture = state_->cloud.mixture();
-  const Eigen::Vector2d antenna =
-      mixture.mean.head<2>() + rotation(mixture.mean(multipath::kYaw)) * fix.antenna_in_base;
-  result.innovation = fix.position - antenna - mixture.bias;
-  result.covariance = mixture.covariance.topLeftCorner<2, 2>() +
+  const Prediction predicted = state_->predicted();
+  result.innovation = fix.position - predicted.pose * fix.antenna_in_base - mixture.bias;
+  result.covariance = predicted.covariance.topLeftCorner<2, 2>() +
                       state_->fixes_in_block * mixture.white_variance * Eigen::Matrix2d::Identity();
   result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
+  state_->carry_block();
   state_->block.add(fix);
   if (state_->now - state_->last_weighed >= kBlock) state_->weigh(parameters_);
   return result;
@@ -186,21 +219,12 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   result.stamp = state_->now;
   if (state_->cloud.empty()) return result;
   const multipath::Mixture& mixture = state_->cloud.mixture();
-  const multipath::OdometrySum& odometry = state_->odometry;
-  const Pose2 then{mixture.mean(multipath::kX), mixture.mean(multipath::kY), mixture.mean(multipath::kYaw)};
-  const Eigen::Vector2d way = rotation(then.yaw) * odometry.displacement();
-  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
-  F.topRightCorner<2, 1>() << -way.y(), way.x();
-  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
-  turned.topLeftCorner<2, 2>() = rotation(then.yaw);
-
+  const Prediction predicted = state_->predicted();
   result.valid = true;
   result.aligned = state_->alignment.aligned();
   result.way_to_alignment = state_->alignment.way_left();
-  result.pose = {then.x + way.x(), then.y + way.y(), wrap_angle(then.yaw + odometry.turn())};
-  const Eigen::Matrix3d noise = odometry.noise(mixture.way_noise, mixture.turn_noise);
-  result.covariance = square(parameters_.sigma_factor) *
-                      (F * mixture.covariance * F.transpose() + turned * noise * turned.transpose());
+  result.pose = predicted.pose;
+  result.covariance = square(parameters_.sigma_factor) * predicted.covariance;
   const Eigen::Vector2d between_stamps =
       rotation(result.pose.yaw).col(0) * parameters_.stamp_sigma * state_->speed;
   // The slow error may be one that stays for the whole drive, which nobody sees.
@@ -218,8 +242,7 @@ PoseEstimate MultipathParticleFilter::estimate() const {
 }
 
 std::vector<Hypothesis> MultipathParticleFilter::hypotheses() const {
-  const multipath::OdometrySum& odometry = state_->odometry;
-  const Pose2 step{odometry.displacement().x(), odometry.displacement().y(), odometry.turn()};
+  const Pose2 step = state_->moved();
   std::vector<Hypothesis> all;
   all.reserve(state_->cloud.hypotheses().size());
   for (const multipath::Hypothesis& h : state_->cloud.hypotheses()) {
