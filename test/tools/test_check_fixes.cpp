@@ -24,6 +24,11 @@ TEST(CheckStatus, FindsADriverThatNeverFillsItIn) {
   some.fixes[3].message.status.status = -1;
   EXPECT_TRUE(Passes(check_status(some)));
   EXPECT_NE(check_status(some).front().what.find("1 of 600"), std::string::npos);
+  for (std::size_t i = 0; i < 200; ++i) some.fixes[i].message.status.status = -1;
+  EXPECT_TRUE(ToFix(check_status(some), "200 of 600 have a status below 0", "view of the sky"));
+  some = healthy_robot();
+  some.fix_parameters.min_fix_status = 2;
+  EXPECT_TRUE(ToFix(check_status(some), "600 of 600 have a status below 2", "min_fix_status: 0"));
 }
 
 TEST(CheckDeclaredCovariance, FindsNoneNanAndHuge) {
@@ -98,6 +103,31 @@ TEST(CheckPlaces, FindsZerosAndStrangers) {
   seen = healthy_robot();
   seen.fixes.front().message.latitude += 30.0;
   EXPECT_TRUE(ToFix(check_places(seen), "1 of 600 are over 100 km from [52.5123", "one receiver"));
+}
+
+TEST(CheckPlaces, FindsWhatIsNotFiniteOrOutOfRangeWhereATenthIsLost) {
+  Observations seen = healthy_robot();
+  const auto spoil = [&](std::size_t many, const auto& change) {
+    seen = healthy_robot();
+    for (std::size_t i = 0; i < many; ++i) change(seen.fixes[i].message);
+    return check_places(seen);
+  };
+  const auto no_latitude = [](auto& fix) { fix.latitude = std::nan(""); };
+  EXPECT_TRUE(ToFix(spoil(300, no_latitude), "300 of 600 have no finite latitude", "publish nothing"));
+  EXPECT_TRUE(Passes(spoil(15, no_latitude))) << "before its first fix many a driver says so";
+  const auto far_up = [](auto& fix) { fix.altitude = 1e6; };
+  EXPECT_TRUE(ToFix(spoil(300, far_up), "300 of 600 have a latitude or longitude out of range", "degrees"));
+}
+
+TEST(CheckLeaps, FindTwoReceiversOnOneTopic) {
+  Observations seen = healthy_robot();
+  EXPECT_TRUE(check_leaps(seen).empty());
+  for (std::size_t i = 0; i < seen.fixes.size(); i += 2) seen.fixes[i].message.latitude += 300.0 / 111e3;
+  EXPECT_TRUE(
+      ToFix(check_leaps(seen), "leap by 301 m", "one receiver on this topic only: rostopic info /gps/fix"));
+  seen = healthy_robot();
+  for (std::size_t i = 300; i < seen.fixes.size(); ++i) seen.fixes[i].message.latitude += 300.0 / 111e3;
+  EXPECT_TRUE(check_leaps(seen).empty()) << "one that stays is no other receiver";
 }
 
 }  // namespace

@@ -59,6 +59,13 @@ TEST(CheckRates, WantOdometryOftenAndWithoutGaps) {
   EXPECT_TRUE(ToFix(check_rates(seen), "longest gap 10.05 s", "max_gap: 11"));
 }
 
+TEST(CheckRates, DoNotTakeATunnelForASlowReceiver) {
+  Observations seen = healthy_robot();
+  for (std::size_t i = 20; i < seen.fixes.size(); ++i) seen.fixes[i].time += 2000.0;
+  EXPECT_TRUE(Passes(check_rates(seen)));
+  EXPECT_NE(check_rates(seen).front().what.find("5.00 Hz, longest gap 2000"), std::string::npos);
+}
+
 TEST(CheckStamps, FindZeroBackwardAndRepeatedOnes) {
   Observations seen = healthy_robot();
   EXPECT_TRUE(Passes(check_stamps(seen)));
@@ -80,6 +87,12 @@ TEST(CheckClocks, FindAReceiverOnAnotherClock) {
   seen = healthy_robot();
   for (auto& fix : seen.fixes) fix.time += 7.0;
   EXPECT_TRUE(ToFix(check_clocks(seen), "7.1 s late", "history_length: 9"));
+}
+
+TEST(CheckClocks, SayNothingOfStampsThatNobodyFillsIn) {
+  Observations seen = healthy_robot();
+  for (auto& fix : seen.fixes) fix.message.header.stamp = ros::Time(0);
+  EXPECT_TRUE(check_clocks(seen).empty());
 }
 
 TEST(CheckClocks, LiveTheHostsClockCounts) {

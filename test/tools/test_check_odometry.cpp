@@ -98,6 +98,15 @@ TEST(CheckTwist, NamesAQuaternionOfZerosAndNothingElse) {
   for (const Finding& finding : check_scale(seen)) EXPECT_NE(finding.verdict, Finding::Verdict::kFix);
 }
 
+TEST(CheckTwist, NamesPosesThatNeverTurnAndNothingElse) {
+  const auto seen = with_odometry([](auto& odometry) {
+    odometry.pose.pose.orientation.z = 0.0;
+    odometry.pose.pose.orientation.w = 1.0;
+  });
+  EXPECT_TRUE(ToFix(check_twist(seen), "the poses move but never turn", "createQuaternionMsgFromYaw"));
+  EXPECT_EQ(check_twist(seen).size(), 1U);
+}
+
 TEST(CheckTwist, IsNotMisledByTwoMessagesOfOneStampNorByBursts) {
   Observations seen = healthy_robot();
   for (std::size_t i = 0; i + 1 < seen.odometry.size(); i += 2) {
@@ -129,6 +138,9 @@ TEST(CheckTwist, SaysWhereARobotMovesSideways) {
   }
   EXPECT_TRUE(Passes(check_twist(seen)));
   EXPECT_NE(check_twist(seen).front().what.find("moves sideways too"), std::string::npos);
+  seen.fixes.clear();  // which did not go that way
+  for (auto& odometry : seen.odometry) odometry.message.twist.twist.linear.y *= -1.0;
+  EXPECT_TRUE(ToFix(check_twist(seen), "twist.linear.y is -1.00 times", "turn the sign of twist.linear.y"));
   for (auto& odometry : seen.odometry) odometry.message.twist.twist.linear.y = 0.0;
   EXPECT_TRUE(ToFix(check_twist(seen), "of which twist.linear.y knows nothing", "fill twist.linear.y"));
 }
@@ -168,6 +180,51 @@ TEST(CheckTurns, FindsAMirroredYaw) {
   EXPECT_TRUE(Untold(check_turns(straight)));
 }
 
+TEST(CheckTurns, NamesSignsThatAReceiversDriverMayHaveLost) {
+  Observations seen = healthy_robot();
+  for (auto& fix : seen.fixes) fix.message.longitude *= -1.0;
+  EXPECT_TRUE(ToFix(check_turns(seen), "mirrored, or NED", "if the robot was not at [52.5123"))
+      << "either may be the cause";
+}
+
+/// The healthy robot with the numbers of every place changed.
+template <class Change>
+Observations with_places(const Change& change) {
+  Observations seen = healthy_robot();
+  for (auto& fix : seen.fixes) change(fix.message.latitude, fix.message.longitude);
+  return seen;
+}
+
+/// Only the coordinates are to fix.
+void expect_misread(const Observations& seen, const std::string& as, const std::string& remedy) {
+  EXPECT_TRUE(ToFix(check_coordinates(seen), as, remedy)) << as;
+  EXPECT_TRUE(ToFix(check_coordinates(seen), "which puts the robot at [52.5123", remedy)) << as;
+  for (const Finding& finding : diagnose(seen)) {
+    const bool other = finding.what.find(as) == std::string::npos;
+    EXPECT_FALSE(other && finding.verdict == Finding::Verdict::kFix) << finding.what;
+  }
+}
+
+TEST(CheckCoordinates, FindNumbersThatAreMisread) {
+  EXPECT_TRUE(check_coordinates(healthy_robot()).empty());
+  expect_misread(with_places([](double& latitude, double& longitude) { std::swap(latitude, longitude); }),
+                 "swapped", "each in its own field");
+  const auto radians = [](double& latitude, double& longitude) {
+    latitude *= kPi / 180.0;
+    longitude *= kPi / 180.0;
+  };
+  expect_misread(with_places(radians), "in radians", "180 / pi");
+  const auto in_minutes = [](double degrees) {
+    return std::trunc(degrees) + 0.6 * (degrees - std::trunc(degrees));
+  };
+  const auto minutes = [&](double& latitude, double& longitude) {
+    latitude = in_minutes(latitude);
+    longitude = in_minutes(longitude);
+  };
+  expect_misread(with_places(minutes), "in degrees and minutes",
+                 "after all, in the base driver: metres per tick");
+}
+
 TEST(CheckTurns, SeesAWideFigureOfEight) {
   Observations seen = healthy_robot();
   const LocalFrame map(Geodetic{52.5, 13.4, 40.0});
@@ -191,6 +248,8 @@ TEST(CheckScale, FindsAWrongWheelRadius) {
   EXPECT_TRUE(Passes(check_scale(healthy_robot())));
   const auto small = with_odometry([](auto& odometry) { odometry.twist.twist.linear.x = 0.8; });
   EXPECT_TRUE(ToFix(check_scale(small), "fixes go 1.2", "times 1.2"));
+  const auto tiny = with_odometry([](auto& odometry) { odometry.twist.twist.linear.x = 0.5; });
+  EXPECT_TRUE(ToFix(check_scale(tiny), "fixes go 2.0", "times 2.0")) << "however short the way by odometry";
   Observations parked = healthy_robot();
   parked.odometry.clear();
   EXPECT_TRUE(Untold(check_scale(parked)));

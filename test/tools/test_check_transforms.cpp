@@ -32,6 +32,17 @@ TEST(CheckFrames, NameTheParameterForOtherFramesOfOdometry) {
   EXPECT_TRUE(ToFix(check_frames(seen), "odom: header.frame_id is empty", "\"odom\""));
 }
 
+TEST(CheckFrames, NeverTakeAFrameThatStandsForTheBase) {
+  Observations seen = healthy_robot();
+  for (auto& odometry : seen.odometry) odometry.message.child_frame_id = "odom";
+  EXPECT_TRUE(ToFix(check_frames(seen), "child_frame_id is odom, which does not move",
+                    "child_frame_id = \"base_link\""));
+  seen = healthy_robot();
+  for (auto& odometry : seen.odometry) odometry.message.header.frame_id = "base_link";
+  EXPECT_TRUE(
+      ToFix(check_frames(seen), "header.frame_id is base_link, which moves", "header.frame_id = \"odom\""));
+}
+
 TEST(CheckParents, FindTwoParentsAndTwoBroadcasters) {
   Observations seen = healthy_robot();
   EXPECT_TRUE(Passes(check_parents(seen)));

@@ -15,6 +15,8 @@ constexpr double kClockError = 1.0;        // of odometry, which comes in as soo
 constexpr double kOtherClock = 10.0;       // no receiver is that late [s]
 constexpr double kNearly = 0.95;           // of a rate, which is as good
 constexpr double kLongestBridge = 60.0;    // nobody knows where a robot went for longer [s]
+constexpr double kLongInterval = 2.0;      // that is a silence where it stands out [s]
+constexpr double kManyIntervals = 5.0;     // times the mean, which stands out
 constexpr double kBurst = 0.3;             // of the mean interval, within a burst
 constexpr double kManyInBursts = 0.4;      // of the intervals
 constexpr char kSetTheClock[] =
@@ -78,12 +80,29 @@ Finding topic_of(const Observations& seen, const Input& in) {
              "start the driver, or name the topic: --" + in.argument + "-topic TOPIC");
 }
 
+/// Messages a second and the longest silence [s]. Silences that stand out do not lower the rate.
+struct Pace {
+  double rate;  ///< [Hz]
+  double gap;
+};
+
+Pace pace_of(const std::vector<double>& arrivals) {
+  const double span = std::max(arrivals.back() - arrivals.front(), 1e-3);
+  const auto count = static_cast<double>(arrivals.size() - 1);
+  const double longest_interval = std::max(kLongInterval, kManyIntervals * span / count);
+  double counted = 0.0, time = 0.0, gap = 0.0;
+  for (std::size_t i = 1; i < arrivals.size(); ++i) {
+    const double interval = arrivals[i] - arrivals[i - 1];
+    gap = std::max(gap, interval);
+    if (interval > longest_interval) continue;
+    time += interval;
+    ++counted;
+  }
+  return {counted / std::max(time, 1e-3), gap};
+}
+
 Finding rate_of(const Input& in, double bridged) {
-  const double span = in.arrivals.back() - in.arrivals.front();
-  const double rate = static_cast<double>(in.arrivals.size() - 1) / std::max(span, 1e-3);
-  double gap = 0.0;
-  for (std::size_t i = 1; i < in.arrivals.size(); ++i)
-    gap = std::max(gap, in.arrivals[i] - in.arrivals[i - 1]);
+  const auto [rate, gap] = pace_of(in.arrivals);
   const std::string seen = text("%s: %.2f Hz, longest gap %.2f s", in.argument.c_str(), rate, gap);
   if (rate < kNearly * in.slowest)
     return fix(seen, text("set the driver's rate to %g Hz or more", in.slowest));
@@ -139,6 +158,12 @@ Finding stamps_of(const Input& in) {
              : pass(what + "stamps increase");
 }
 
+/// Whether most stamps are filled in.
+bool is_stamped(const Input& in) {
+  const auto zero = std::count(in.stamps.begin(), in.stamps.end(), 0.0);
+  return !in.stamps.empty() && 2 * static_cast<std::size_t>(zero) < in.stamps.size();
+}
+
 /// Median of arrival - stamp [s].
 double lateness(const Input& in) {
   std::vector<double> late;
@@ -176,7 +201,7 @@ Findings check_stamps(const Observations& seen) {
 
 Findings check_clocks(const Observations& seen) {
   const std::vector<Input> both = inputs(seen);
-  if (both[0].stamps.empty() || both[1].stamps.empty()) return {};
+  if (!is_stamped(both[0]) || !is_stamped(both[1])) return {};
   const double odometry_late = lateness(both[1]);
   const double behind = lateness(both[0]) - odometry_late;
   const LocalizerParameters& node = seen.localizer_parameters;

@@ -45,6 +45,11 @@ std::set<std::string> names(const std::vector<Arrived<Message>>& messages, const
   return all;
 }
 
+/// A frame that stays where it is while the robot drives.
+bool is_fixed(const Observations& seen, const std::string& frame) {
+  return frame == seen.frames.map_frame || frame == seen.frames.odom_frame;
+}
+
 Finding frame_of(const std::string& what, const std::string& frame, const std::string& expected,
                  const std::string& parameter) {
   if (frame.empty())
@@ -58,11 +63,6 @@ Finding frame_of(const std::string& what, const std::string& frame, const std::s
                "localization.yaml: " + parameter + ": " + frame);
   }
   return pass(what + " is " + frame);
-}
-
-/// A frame that stays where it is while the robot drives.
-bool is_fixed(const Observations& seen, const std::string& frame) {
-  return frame == seen.frames.map_frame || frame == seen.frames.odom_frame;
 }
 
 Finding frame_of_fix(const Observations& seen, const std::string& frame) {
@@ -159,12 +159,20 @@ Findings check_frames(const Observations& seen) {
       all.push_back(
           fix("odom: header.frame_id is " + frame + ": this is the output of a localisation, not odometry",
               "odom:=TOPIC of the base driver, whose frame is " + seen.frames.odom_frame));
+    } else if (without_slash(frame) == seen.frames.base_link_frame) {
+      all.push_back(fix("odom: header.frame_id is " + frame + ", which moves with the robot",
+                        "in the odometry driver: header.frame_id = \"" + seen.frames.odom_frame + "\""));
     } else {
       all.push_back(frame_of("odom: header.frame_id", frame, seen.frames.odom_frame, "odom_frame"));
     }
   }
   for (const std::string& frame : names(seen.odometry, [](const auto& m) { return m.child_frame_id; })) {
-    all.push_back(frame_of("odom: child_frame_id", frame, seen.frames.base_link_frame, "base_link_frame"));
+    const std::string& base = seen.frames.base_link_frame;
+    all.push_back(
+        is_fixed(seen, without_slash(frame))
+            ? fix("odom: child_frame_id is " + frame + ", which does not move with the robot",
+                  "in the odometry driver: child_frame_id = \"" + base + "\", and the twist along its axes")
+            : frame_of("odom: child_frame_id", frame, base, "base_link_frame"));
   }
   return all;
 }

@@ -22,8 +22,12 @@ constexpr double kTurnedAxes = 0.17;   // 10 degrees [rad]
 constexpr double kManyHeadings = 0.9;  // length of the mean direction of headings that differ
 constexpr double kSideways = 0.1;      // of the way, of a base that moves sideways
 constexpr double kMostlyAlong = 0.7;   // of a way, of one that is no way sideways
+constexpr double kPartlyAside = 0.3;   // of a way, of one that is sideways beyond what noise makes of it
 constexpr double kTurns = 0.05;        // [rad/s]
 constexpr double kRolls = 0.05;        // [m/s]
+constexpr double kClearTurn = 1.0;     // that neither noise nor a gyro's bias is [rad]
+constexpr char kFillOrientation[] =
+    "in the base driver: pose.pose.orientation = tf::createQuaternionMsgFromYaw(yaw)";
 
 /// Which of the two voices of the odometry goes the way of the fixes.
 struct Judgement {
@@ -80,6 +84,23 @@ double turned_by(const TwistComparison& all) {
   return std::arg(product);
 }
 
+/// The furthest that the twist turns from its heading at the start while the poses lead along a curve and
+/// never turn; 0 where they do [rad].
+double turn_untold_by_poses(const TwistComparison& all) {
+  double heading = 0.0, furthest = 0.0;
+  std::complex<double> directions;  // of doubled angles: back is along the same line
+  double windows = 0.0;
+  for (const TwistWindow& w : all.moving) {
+    if (w.turn_by_pose != 0.0) return 0.0;
+    heading += w.turn_by_twist;
+    furthest = std::max(furthest, std::abs(heading));
+    if (w.by_pose.isZero(0.0)) continue;
+    directions += std::polar(1.0, 2.0 * std::atan2(w.by_pose.y(), w.by_pose.x()));
+    ++windows;
+  }
+  return std::abs(directions) < kManyHeadings * windows ? furthest : 0.0;
+}
+
 /// Twist whose axes are not those of the base, empty for none.
 Findings frame_of_twist(const TwistComparison& all) {
   const double base = left_by(all, in_base);
@@ -87,7 +108,7 @@ Findings frame_of_twist(const TwistComparison& all) {
   const double odom = left_by(all, in_odom);
   if (odom < kFits && odom < kClearly * base && many_headings(all)) {
     return {
-        fix("odom: the twist is in the frame of the poses, not in that of the base as child_frame_id has it",
+        fix("odom: the twist is in the frame of the poses, not in that of the base",
             "in the base driver: turn twist.linear by -yaw: x = vx cos(yaw) + vy sin(yaw), y = vy cos(yaw) - "
             "vx sin(yaw)")};
   }
@@ -109,13 +130,27 @@ Findings frame_of_twist(const TwistComparison& all) {
               "poses: drive forwards, and see whether twist.linear.x is the speed")};
 }
 
-/// Ways sideways, by twist and by pose.
+/// Ways sideways, by twist and by pose [m].
+struct Sideways {
+  double way = 0.0;  ///< in all directions
+  double by_pose = 0.0;
+  double by_twist = 0.0;
+  bool pose = false;   ///< it moves so by its poses
+  bool twist = false;  ///< it moves so by its twist
+};
+
+Sideways moves_sideways(const TwistComparison& all) {
+  Sideways moves;
+  moves.way = all.sum([](const TwistWindow& w) { return w.by_pose.norm(); });
+  moves.by_pose = all.sum([](const TwistWindow& w) { return std::abs(w.by_pose.y()); });
+  moves.by_twist = all.sum([](const TwistWindow& w) { return std::abs(w.by_twist.y()); });
+  moves.pose = moves.by_pose > kSideways * moves.way;
+  moves.twist = moves.by_twist > kSideways * moves.way;
+  return moves;
+}
+
 Findings motion_sideways(const TwistComparison& all, const Observations& seen) {
-  const double way = all.sum([](const TwistWindow& w) { return w.by_pose.norm(); });
-  const double by_pose = all.sum([](const TwistWindow& w) { return std::abs(w.by_pose.y()); });
-  const double by_twist = all.sum([](const TwistWindow& w) { return std::abs(w.by_twist.y()); });
-  const bool pose_moves = by_pose > kSideways * way;
-  const bool twist_moves = by_twist > kSideways * way;
+  const auto [way, by_pose, by_twist, pose_moves, twist_moves] = moves_sideways(all);
   if (!pose_moves && !twist_moves) return {};
   if (pose_moves && twist_moves) {
     return {pass(text("odom: moves sideways too, %.1f of %.1f m", by_pose, way))};
@@ -153,6 +188,17 @@ Ratios speeds(const TwistComparison& comparison) {
     if (!along || std::abs(w.by_pose.x()) < kRolls * w.duration) continue;
     ratios.all.push_back(w.by_twist.x() / w.by_pose.x());
     ratios.twist_goes_back = ratios.twist_goes_back || w.by_twist.x() < -kRolls * w.duration;
+  }
+  return ratios;
+}
+
+Ratios speeds_sideways(const TwistComparison& comparison) {
+  Ratios ratios{"twist.linear.y", "the poses' way to the side", "push the robot to its left", {}, false};
+  for (const TwistWindow& w : comparison.moving) {
+    const bool aside = std::abs(w.by_pose.y()) > kPartlyAside * w.by_pose.norm();
+    if (!aside || std::abs(w.by_pose.y()) < kRolls * w.duration) continue;
+    ratios.all.push_back(w.by_twist.y() / w.by_pose.y());
+    ratios.twist_goes_back = ratios.twist_goes_back || w.by_twist.y() < -kRolls * w.duration;
   }
   return ratios;
 }
@@ -209,16 +255,25 @@ Findings check_twist(const Observations& seen) {
   if (all.without_orientation > 0) {
     return {fix(text("odom: the quaternion of %zu of %zu poses is all zero, which is no orientation",
                      all.without_orientation, all.messages),
-                "in the base driver: pose.pose.orientation = tf::createQuaternionMsgFromYaw(yaw)")};
+                kFillOrientation)};
   }
   if (all.moving.size() >= kEnoughWindows && all.twist_is_empty) {
     return {pass("odom: the twist is empty, so the motion is that of the poses")};
+  }
+  const double untold_turn = turn_untold_by_poses(all);
+  if (untold_turn > kClearTurn) {
+    return {fix(text("odom: the poses move but never turn, while twist.angular.z turns by %.0f degrees",
+                     untold_turn * 180.0 / kPi),
+                kFillOrientation)};
   }
   const bool still = squares_of_way(all) == 0.0;
   Findings findings = still ? Findings() : frame_of_twist(all);
   if (!findings.empty()) return findings;
   if (!still) findings = motion_sideways(all, seen);
   findings.push_back(ratio_of(speeds(all), seen));
+  const Ratios sideways = speeds_sideways(all);
+  if (sideways.all.size() >= kEnoughWindows && moves_sideways(all).twist)
+    findings.push_back(ratio_of(sideways, seen));
   findings.push_back(ratio_of(yaw_rates(all), seen));
   return findings;
 }

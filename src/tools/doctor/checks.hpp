@@ -27,8 +27,10 @@ Findings check_antenna(const Observations& seen);
 
 /// Status of the fixes.
 Findings check_status(const Observations& seen);
-/// Places that are nonsense: 0, 0, or far from the others.
+/// Places that are nonsense: 0, 0, not finite, out of range, or far from the others.
 Findings check_places(const Observations& seen);
+/// Fixes that leap there and back, as those of two receivers do.
+Findings check_leaps(const Observations& seen);
 /// Declared covariances: zero, unknown, not finite, huge.
 Findings check_declared_covariance(const Observations& seen);
 /// Declared standard deviation against the scatter of the fixes about the odometry.
@@ -41,6 +43,8 @@ Findings check_datum(const Observations& seen);
 /// Twist of the odometry against the differences of its poses: empty, frame, motion sideways, sign, scale;
 /// the fixes say which of the two is wrong.
 Findings check_twist(const Observations& seen);
+/// Latitude and longitude that are swapped, or no degrees, by the way of odometry.
+Findings check_coordinates(const Observations& seen);
 /// Curves of odometry against those of the fixes: mirrored, or NED.
 Findings check_turns(const Observations& seen);
 /// Way by odometry against way by fixes: scale, where the two have the same shape.

@@ -4,10 +4,26 @@ namespace multipath_localization {
 
 Findings diagnose(const Observations& seen) {
   Findings all;
-  for (const auto check : {check_topics, check_rates, check_stamps, check_clocks, check_simulated_time,
-                           check_frames, check_parents, check_map_to_odom, check_antenna, check_status,
-                           check_places, check_declared_covariance, check_scatter, check_frozen, check_datum,
-                           check_twist, check_turns, check_scale}) {
+  for (const auto check : {check_topics,
+                           check_rates,
+                           check_stamps,
+                           check_clocks,
+                           check_simulated_time,
+                           check_frames,
+                           check_parents,
+                           check_map_to_odom,
+                           check_antenna,
+                           check_status,
+                           check_places,
+                           check_leaps,
+                           check_declared_covariance,
+                           check_scatter,
+                           check_frozen,
+                           check_datum,
+                           check_twist,
+                           check_coordinates,
+                           check_turns,
+                           check_scale}) {
     const Findings found = check(seen);
     all.insert(all.end(), found.begin(), found.end());
   }

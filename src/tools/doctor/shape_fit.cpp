@@ -11,7 +11,7 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kPiece = 20.0;          // of way [m]
+constexpr double kPiece = 20.0;          // of way by odometry, or from end to end by fixes [m]
 constexpr std::size_t kFewestFixes = 8;  // of a piece
 constexpr std::size_t kFewestPieces = 4;
 constexpr double kAlike = 0.2;           // error of a piece that has the same shape
@@ -71,7 +71,8 @@ std::vector<PieceFit> fits_of_pieces(const std::vector<GnssFix>& fixes, const Od
     if (piece.empty()) start = *driven;
     const Eigen::Vector2d antenna = *base * fix.antenna_in_base;
     piece.push_back({{fix.position.x(), fix.position.y()}, {antenna.x(), antenna.y()}});
-    if (*driven - start < kPiece) continue;
+    const bool far = std::abs(piece.back().in_map - piece.front().in_map) >= kPiece;
+    if (*driven - start < kPiece && !(far && piece.size() >= kFewestFixes)) continue;
     const std::optional<PieceFit> found = fit(piece);
     if (piece.size() >= kFewestFixes && found) all.push_back(*found);
     piece.clear();
@@ -89,6 +90,8 @@ double quantile_of(const std::vector<PieceFit>& pieces, double PieceFit::*figure
 
 bool ShapeFit::same_shape() const { return pieces >= kFewestPieces && error < kAlike; }
 
+bool ShapeFit::mirrored_shape() const { return pieces >= kFewestPieces && mirrored_error < kAlike; }
+
 bool ShapeFit::tells_scale() const { return same_shape() && scale_spread <= kSteadyScale * scale; }
 
 bool ShapeFit::fits() const { return same_shape() && std::abs(scale - 1.0) <= kScaleTolerance; }
@@ -99,6 +102,7 @@ ShapeFit fit_shape(const std::vector<GnssFix>& fixes, const OdometryTrack& track
   result.pieces = pieces.size();
   if (pieces.empty()) return result;
   result.error = quantile_of(pieces, &PieceFit::error, 0.5);
+  result.mirrored_error = quantile_of(pieces, &PieceFit::mirrored_error, 0.5);
   result.rigid_error = quantile_of(pieces, &PieceFit::rigid_error, 0.5);
   result.scale = quantile_of(pieces, &PieceFit::scale, 0.5);
   result.scale_spread =
