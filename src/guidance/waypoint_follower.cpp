@@ -12,6 +12,10 @@ namespace multipath_localization {
 
 namespace {
 
+constexpr double kJustNow = 3.0;    // a planner takes no longer for a route [s]
+constexpr double kTrailStep = 0.1;  // [m]
+constexpr double kJustThere = 0.3;  // of a place where the robot has just been [m]
+
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
@@ -20,6 +24,22 @@ void require_finite(const std::vector<Eigen::Vector2d>& waypoints) {
   for (const Eigen::Vector2d& waypoint : waypoints) {
     if (!waypoint.allFinite()) throw std::invalid_argument("a waypoint is not finite");
   }
+}
+
+/// The index of the waypoint that the part of the route leads to, within `reach` along it from its beginning
+/// [m], that is nearest to the place.
+std::size_t joined_at(const std::vector<Eigen::Vector2d>& route, const Eigen::Vector2d& place, double reach) {
+  std::size_t joined = 0;
+  double nearest = (place - route.front()).norm(), driven = 0.0;
+  for (std::size_t i = 1; i < route.size() && driven <= reach; ++i) {
+    const Eigen::Vector2d way = route[i] - route[i - 1];
+    if (way.isZero()) continue;
+    const double share = std::clamp((place - route[i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    const double away = (place - route[i - 1] - share * way).norm();
+    if (away <= nearest) nearest = away, joined = i;
+    driven += way.norm();
+  }
+  return joined;
 }
 
 std::string old_pose(double age) {
@@ -77,6 +97,7 @@ void WaypointFollower::move_waypoints(std::vector<Eigen::Vector2d> waypoints) {
   extent_ = extent_of(waypoints_);
   segment_start_.reset();
   first_position_.reset();
+  trail_.clear();
 }
 
 bool WaypointFollower::continue_along(const std::vector<Eigen::Vector2d>& waypoints) {
@@ -90,6 +111,29 @@ bool WaypointFollower::continue_along(const std::vector<Eigen::Vector2d>& waypoi
   extent_ = extent_of(waypoints_);
   if (at_end) begin_segment();
   return true;
+}
+
+void WaypointFollower::take_route(const std::vector<Eigen::Vector2d>& waypoints) {
+  require_finite(waypoints);
+  waypoints_ = waypoints;
+  extent_ = extent_of(waypoints_);
+  passed_ = 0;
+  segment_start_.reset();
+  if (waypoints_.empty() || trail_.empty() || !has_just_been_at(waypoints_.front())) return;
+  passed_ = joined_at(waypoints_, trail_.back(), kJustNow * parameters_.cruise_speed);
+  begin_segment();
+}
+
+bool WaypointFollower::has_just_been_at(const Eigen::Vector2d& place) const {
+  return std::any_of(trail_.begin(), trail_.end(),
+                     [&](const Eigen::Vector2d& at) { return (at - place).norm() <= kJustThere; });
+}
+
+void WaypointFollower::remember(const Eigen::Vector2d& position) {
+  if (!trail_.empty() && (position - trail_.back()).norm() < kTrailStep) return;
+  trail_.push_back(position);
+  while (static_cast<double>(trail_.size()) * kTrailStep > kJustNow * parameters_.cruise_speed)
+    trail_.pop_front();
 }
 
 std::size_t WaypointFollower::target() const { return waypoints_.empty() ? 0 : passed_ % waypoints_.size(); }
@@ -124,6 +168,7 @@ void WaypointFollower::heed(Trust state) {
   underway_ = false;
   first_position_.reset();
   segment_start_.reset();
+  trail_.clear();
 }
 
 FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state) {
@@ -136,6 +181,7 @@ FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Tru
   const double speed = pace.ratio * parameters_.cruise_speed;
   underway_ = underway_ || heading_shown(pose.position(), state);
   if (!underway_) return {{speed, 0.0}, pace.status};
+  remember(pose.position());
   pass_waypoints(pose.position());
   if (finished()) return end();
   const double angle = parameters_.law == "nishida" ? steer_to_target(pose) : steer_along_path(pose);

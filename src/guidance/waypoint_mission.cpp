@@ -70,7 +70,12 @@ Delivery WaypointMission::offer_waypoints(const std::vector<Eigen::Vector2d>& wa
   const bool again = last_delivery_ && same_route(last_delivery_->waypoints, waypoints);
   if (again && stamp <= last_delivery_->stamp) return Delivery::kKnown;
   const bool continued = order_ != Order::kDone && follower_.continue_along(waypoints);
-  if (!continued) set_waypoints(waypoints);
+  if (!continued && order_ == Order::kDrive && !follower_.finished()) {
+    follower_.take_route(waypoints);
+    without_waypoints_.clear();
+  } else if (!continued) {
+    set_waypoints(waypoints);
+  }
   last_delivery_ = {waypoints, stamp};
   return continued ? Delivery::kContinued : Delivery::kNew;
 }

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "driven.hpp"
 #include "multipath_localization/guidance/waypoint_mission.hpp"
 
 namespace multipath_localization {
@@ -138,7 +141,7 @@ TEST(WaypointMission, TheSameWaypointsDeliveredAgainDoNotRestartTheWay) {
     EXPECT_NE(robot.offer_waypoints(kLine, stamp), Delivery::kNew);
     EXPECT_EQ(robot.follower().target(), 1U);
   }
-  EXPECT_EQ(robot.offer_waypoints({{10.0, 0.0}, {20.0, 1.0}, {30.0, 0.0}}, 7), Delivery::kNew);
+  EXPECT_EQ(robot.offer_waypoints({{10.0, 5.0}, {20.0, 1.0}, {30.0, 0.0}}, 7), Delivery::kNew);
   EXPECT_EQ(robot.follower().target(), 0U);
 }
 
@@ -157,6 +160,54 @@ TEST(WaypointMission, GoesOnAlongARouteRemadeGrownOrShortened) {
   EXPECT_EQ(robot.follower().target(), 0U);
   const FollowerOutput output = robot.command({15.0, 1.0, 0.0}, 0.0, Trust::kGood);
   EXPECT_LT(output.command.steering_angle, -0.1) << "back to the line it was on";
+}
+
+/// What a planner makes from a place to the goal: a waypoint each half metre, never twice the same way.
+std::vector<Eigen::Vector2d> planned(const Eigen::Vector2d& from, const Eigen::Vector2d& goal, int plan) {
+  const Eigen::Vector2d way = goal - from, aside(-way.y(), way.x());
+  const auto steps = static_cast<int>(way.norm() / 0.5) + 1;
+  std::vector<Eigen::Vector2d> waypoints;
+  for (int i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    waypoints.emplace_back(from + share * way +
+                           (plan % 2 == 0 ? 0.02 : -0.02) * std::sin(kPi * share) * aside);
+  }
+  return waypoints;
+}
+
+TEST(WaypointMission, JoinsAPathPlannedAMomentAgoWhereTheRobotIsOnIt) {
+  constexpr double kStep = 0.02;
+  const Eigen::Vector2d goal(30.0, 5.0);
+  for (const double lateness : {0.2, 1.0, 2.0}) {
+    WaypointFollowerParameters p;
+    p.loop = false;
+    WaypointMission robot(p, {}, true);
+    std::vector<Pose2> driven_way = {{0.0, 0.0, 0.1}};
+    const auto late = static_cast<std::size_t>(lateness / kStep);
+    double furthest_turn = 0.0;
+    for (int i = 0; i < 1500 && !robot.stands(); ++i) {
+      const Pose2 now = driven_way.back();
+      if (i % 50 == 0) {
+        const Pose2& then = driven_way[driven_way.size() - std::min(late + 1, driven_way.size())];
+        robot.offer_waypoints(planned(then.position(), goal, i / 50), static_cast<std::uint64_t>(i + 1));
+      }
+      const MotionCommand u = robot.command(now, 0.0, Trust::kGood).command;
+      driven_way.push_back(driven(now, u, p.wheelbase, kStep));
+      furthest_turn = std::max(furthest_turn, std::abs(driven_way.back().yaw));
+    }
+    EXPECT_TRUE(robot.stands()) << lateness;
+    EXPECT_LT((driven_way.back().position() - goal).norm(), 1.2) << lateness;
+    EXPECT_LT(furthest_turn, 0.6) << lateness;
+  }
+}
+
+TEST(WaypointMission, DrivesARouteThatBeginsElsewhereFromItsFirstWaypoint) {
+  WaypointMission robot({}, kLine, true);
+  for (const double x : {0.0, 2.0, 4.0, 6.0, 8.0}) at(robot, x);
+  robot.offer_waypoints({{-20.0, 0.0}, {20.0, 0.0}, {30.0, 0.0}}, 1);
+  EXPECT_EQ(robot.follower().target(), 0U) << "though it stands on the way to the second";
+  robot.offer_waypoints({{6.0, 0.0}, {-20.0, 0.0}}, 2);
+  EXPECT_EQ(robot.follower().target(), 1U) << "back, as told, from where it has just been";
 }
 
 TEST(WaypointMission, ARouteShortenedToWhatIsLeftInALaterRoundIsNotYetFinished) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,6 +77,11 @@ class WaypointFollower {
   /// changed, where they are another. Throws std::invalid_argument when one is not finite.
   bool continue_along(const std::vector<Eigen::Vector2d>& waypoints);
 
+  /// Takes waypoints in map [m] for another route. One that begins where the robot has just been, within a
+  /// few seconds' way, is joined where the robot is on it: planners plan from a pose of a moment ago. Any
+  /// other is driven from its first waypoint on. Throws std::invalid_argument when one is not finite.
+  void take_route(const std::vector<Eigen::Vector2d>& waypoints);
+
   /// Whether to go on to the first waypoint after the last. Taken away, the round under way is the last.
   void set_loop(bool loop) { parameters_.loop = loop; }
 
@@ -96,6 +102,8 @@ class WaypointFollower {
 
   [[nodiscard]] Pace pace_in(Trust state) const;
   [[nodiscard]] std::string reason_to_stop(const Pose2& pose, double pose_age, Trust state) const;
+  void remember(const Eigen::Vector2d& position);
+  [[nodiscard]] bool has_just_been_at(const Eigen::Vector2d& place) const;
   [[nodiscard]] bool heading_shown(const Eigen::Vector2d& position, Trust state);
   void pass_waypoints(const Eigen::Vector2d& position);
   void begin_segment();
@@ -114,6 +122,7 @@ class WaypointFollower {
   std::size_t passed_ = 0;
   std::optional<Eigen::Vector2d> segment_start_;   ///< none: where the robot is next
   std::optional<Eigen::Vector2d> first_position_;  ///< since the pose is known
+  std::deque<Eigen::Vector2d> trail_;              ///< where the robot has just been, the latest last
   bool underway_ = false;                          ///< the heading has been good enough to steer by
 };
 

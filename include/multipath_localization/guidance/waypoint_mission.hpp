@@ -20,7 +20,7 @@ struct Answer {
 enum class Delivery {
   kKnown,      ///< nothing
   kContinued,  ///< they continue the route under way: the robot goes on to the waypoint it was steered for
-  kNew         ///< they are driven from the first on
+  kNew         ///< they are another route
 };
 
 /// A WaypointFollower at the orders of the robot's owner. The robot drives after `start` or `resume` alone,
@@ -46,7 +46,7 @@ class WaypointMission {
   /// Waypoints in map [m] as a topic delivers them, over again at times. Those that came last, with no later
   /// `stamp` [ns], are the same delivery and change nothing, see same_route. Those that continue the route
   /// under way, as WaypointFollower::continue_along tells, are gone on along. All others are for
-  /// set_waypoints.
+  /// WaypointFollower::take_route while driving, else for set_waypoints.
   Delivery offer_waypoints(const std::vector<Eigen::Vector2d>& waypoints, std::uint64_t stamp);
 
   /// WaypointFollower::move_waypoints: the robot goes on to the waypoint it was steered for.
