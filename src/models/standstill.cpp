@@ -19,12 +19,14 @@ constexpr double kMemory = 0.5;           ///< of the averages [s]
 
 OdometryIncrement Standstill::settled(const OdometryIncrement& u) {
   const double share = std::min(1.0, u.duration / kMemory);
+  speed_ += share * (u.speed - speed_);
   yaw_rate_ += share * (u.yaw_rate - yaw_rate_);
   lateral_speed_ += share * (u.lateral_speed - lateral_speed_);
   OdometryIncrement result = u;
   const bool turning = std::abs(u.yaw_rate) > kAboveNoise || std::abs(yaw_rate_) > kAboveBias;
   const bool strafing = std::abs(u.lateral_speed) > kStrafing || std::abs(lateral_speed_) > kStrafingOnMean;
-  if (std::abs(u.speed) < kStandstillSpeed && !turning && !strafing) {
+  const bool rolling = std::abs(u.speed) >= kStandstillSpeed || std::abs(speed_) >= kStandstillSpeed;
+  if (!rolling && !turning && !strafing) {
     result.yaw_rate = result.lateral_speed = 0.0;
   }
   return result;

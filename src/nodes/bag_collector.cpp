@@ -63,7 +63,15 @@ std::vector<std::string> BagCollector::refusals() const {
   return all;
 }
 
+std::string BagCollector::all_refusals() const {
+  std::string all;
+  for (const std::string& refusal : refusals()) all += (all.empty() ? " (" : "; ") + refusal;
+  return all.empty() ? "" : all + ")";
+}
+
 void BagCollector::add(const nav_msgs::Odometry& message) {
+  odometry_in_map_ =
+      odometry_in_map_ || without_slash(message.header.frame_id) == FrameParameters().map_frame;
   const CheckedOdometry checked = reader_.read(message);
   if (!passes(topics_.odometry, checked.reason)) return;
   if (checked.restarted) note_restart(checked.increment.stamp);
@@ -152,7 +160,8 @@ Geodetic BagCollector::find_datum() {
     }
   }
   for (const GnssMessage& message : search.take_waiting()) refuse(message.index(), Reason::kInvalidPosition);
-  if (!found) throw DriveError(file_ + ": no three measurements agree on a place for a datum");
+  if (!found)
+    throw DriveError(file_ + ": no three measurements agree on a place for a datum" + all_refusals());
   received_ = kept;
   return *found;
 }

@@ -61,6 +61,10 @@ class BagCollector {
   [[nodiscard]] const std::array<ReasonTally, kGnssKinds.size()>& left_out() const { return left_out_; }
   /// "TOPIC: REASON, N times" for what was left out.
   [[nodiscard]] std::vector<std::string> refusals() const;
+  /// The same in one line in brackets; empty where nothing was.
+  [[nodiscard]] std::string all_refusals() const;
+  /// Whether odometry's frame is that of map, whose odometry the localization node refuses.
+  [[nodiscard]] bool odometry_in_map() const { return odometry_in_map_; }
 
  private:
   template <class Message>
@@ -90,6 +94,7 @@ class BagCollector {
   std::map<double, bool> shadows_;
   bool turns_ = false;  ///< truth has a heading: one that is always zero was never filled in
   std::map<std::string, int> refusals_;
+  bool odometry_in_map_ = false;
   std::array<ReasonTally, kGnssKinds.size()> left_out_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -61,6 +62,19 @@ std::vector<Sighting> sightings(BagCollector& bag) {
   return all;
 }
 
+/// Why fixes and truth do not meet, by their times.
+std::string no_fix_with_truth(const std::vector<Sighting>& sightings, const std::vector<TruthSample>& truth) {
+  const double ahead = sightings.front().stamp - truth.front().stamp;
+  char text[300];
+  std::snprintf(
+      text, sizeof(text),
+      "no fix while there is truth: stamps of fixes are from %.2f to %.2f, of truth from %.2f to %.2f: they "
+      "begin %.1f s %s it; two clocks?",
+      sightings.front().stamp, sightings.back().stamp, truth.front().stamp, truth.back().stamp,
+      std::abs(ahead), ahead > 0.0 ? "after" : "before");
+  return text;
+}
+
 /// The datum on which the sightings lie on truth, see `read_bag`.
 Geodetic fitted_datum(const std::vector<Sighting>& sightings, const std::vector<TruthSample>& truth,
                       std::vector<std::string>& notices) {
@@ -75,7 +89,7 @@ Geodetic fitted_datum(const std::vector<Sighting>& sightings, const std::vector<
     offsets[open][0].push_back(offset.x());
     offsets[open][1].push_back(offset.y());
   }
-  if (offsets.empty()) throw DriveError("no fix while there is truth: say the datum of its frame");
+  if (offsets.empty()) throw DriveError(no_fix_with_truth(sightings, truth));
   const auto& [open, best] = *offsets.rbegin();
   const Geodetic datum = frame.to_geodetic({quantile(best[0], 0.5), quantile(best[1], 0.5)});
   char text[300];
@@ -151,8 +165,10 @@ Drive read_bag(const std::string& file, const BagTopics& topics, const std::opti
     BagCollector collector(file, find_topics(bag, file, topics));
     for (const rosbag::MessageInstance& message : rosbag::View(bag)) collector.take(message);
     collector.finish();
-    if (collector.odometry().empty()) throw DriveError(file + ": no usable odometry");
-    if (collector.received().empty()) throw DriveError(file + ": no usable fix or epoch");
+    if (collector.odometry().empty())
+      throw DriveError(file + ": no usable odometry" + collector.all_refusals());
+    if (collector.received().empty())
+      throw DriveError(file + ": no usable fix or epoch" + collector.all_refusals());
 
     drive.name = std::filesystem::path(file).stem().string();
     drive.odometry = collector.odometry();
@@ -161,6 +177,10 @@ Drive read_bag(const std::string& file, const BagTopics& topics, const std::opti
     if (drive.truth.empty()) drive.notices.emplace_back("no truth: nothing is scored");
     drive.datum = choose_datum(collector, datum, drive);
     read_measurements(collector, drive);
+    if (collector.odometry_in_map()) {
+      drive.notices.emplace_back(
+          "odometry is in frame map, as the output of a localisation is: the localization node refuses such");
+    }
     const std::vector<std::string> refusals = collector.refusals();
     drive.notices.insert(drive.notices.end(), refusals.begin(), refusals.end());
     drive.left_out = collector.left_out();

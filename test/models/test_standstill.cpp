@@ -44,6 +44,31 @@ TEST(Standstill, SpeedAboutTheLimitLosesNothingOfATurn) {
   EXPECT_NEAR(turn, 0.6, 0.02);
 }
 
+TEST(Standstill, TicksOfASlowWheelThatIsReadOftenAreNoStandstill) {
+  constexpr double kTick = 0.005, kOften = 0.001;
+  for (const double speed : {0.05, 0.3}) {
+    Standstill standstill;
+    double turn = 0.0, told = 0.0, way = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+      const bool tick = speed * kOften * i - told >= kTick;
+      if (tick) told += kTick;
+      const OdometryIncrement u{kOften * i, kOften, tick ? kTick / kOften : 0.0, 0.015};
+      const OdometryIncrement settled = standstill.settled(u);
+      turn += settled.yaw_rate * kOften;
+      way += settled.speed * kOften;
+    }
+    EXPECT_NEAR(turn, 0.3, 0.01) << speed;
+    EXPECT_NEAR(way, 20.0 * speed, 2.0 * kTick) << speed;
+  }
+  Standstill trembling;
+  double turn = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    const double tick = i % 200 == 0 ? kTick : i % 200 == 100 ? -kTick : 0.0;
+    turn += trembling.settled({kOften * i, kOften, tick / kOften, 0.01}).yaw_rate * kOften;
+  }
+  EXPECT_LT(turn, 0.1) << "a wheel that trembles about a tick";
+}
+
 TEST(Standstill, SettlesAWholeDriveInOrder) {
   const std::vector<OdometryIncrement> drive = {
       {1.0, 1.0, 0.5, 0.01}, {2.0, 1.0, 0.0, 0.01}, {3.0, 1.0, 0.0, 0.3}};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
+#include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
@@ -143,6 +144,49 @@ TEST(ReadBag, SaysThatItHoldsNoGnss) {
   Recording recording;
   recording.with_fix = false;
   EXPECT_NE(failure_of(record(recording), {}).find("no sensor_msgs/NavSatFix"), std::string::npos);
+}
+
+/// A copy of a bag in which every message of that type is changed.
+template <class Message, class Change>
+std::string with_each(const std::string& file, const Change& change) {
+  const std::string copy = testing::TempDir() + "changed_under_test.bag";
+  const rosbag::Bag in(file);
+  rosbag::Bag out(copy, rosbag::bagmode::Write);
+  for (const rosbag::MessageInstance& message : rosbag::View(in)) {
+    const auto known = message.instantiate<Message>();
+    if (!known) {
+      out.write(message.getTopic(), message.getTime(), message);
+      continue;
+    }
+    change(*known);
+    out.write(message.getTopic(), message.getTime(), *known);
+  }
+  return copy;
+}
+
+TEST(ReadBag, SaysWhyNothingIsUsable) {
+  const auto without = [](auto& fix) { fix.status.status = -1; };
+  EXPECT_NE(failure_of(with_each<sensor_msgs::NavSatFix>(record({}), without), {})
+                .find("no usable fix or epoch (/gps/fix: no fix, 21 times)"),
+            std::string::npos);
+  const auto unstamped = [](auto& odometry) { odometry.header.stamp = ros::Time(0); };
+  EXPECT_NE(failure_of(with_each<nav_msgs::Odometry>(record({}), unstamped), {})
+                .find("no usable odometry (/odom: zero stamp, 21 times)"),
+            std::string::npos);
+}
+
+TEST(ReadBag, SaysHowFarFixesAndTruthAreApart) {
+  const auto ahead = [](auto& fix) { fix.header.stamp += ros::Duration(7200.0); };
+  EXPECT_NE(
+      failure_of(with_each<sensor_msgs::NavSatFix>(record({}), ahead), {}).find("begin 7200.0 s after it"),
+      std::string::npos);
+}
+
+TEST(ReadBag, NamesOdometryThatIsTheOutputOfALocalisation) {
+  const auto in_map = [](auto& odometry) { odometry.header.frame_id = "/map"; };
+  const Drive drive = read_bag(with_each<nav_msgs::Odometry>(record({}), in_map), {}, kDatum);
+  ASSERT_FALSE(drive.notices.empty());
+  EXPECT_NE(drive.notices.back().find("odometry is in frame map"), std::string::npos);
 }
 
 TEST(ReadBag, RefusesMessagesOfAnotherVersion) {

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <variant>
+
 #include "multipath_localization/estimators/make_estimator.hpp"
 #include "multipath_localization/evaluation/closed_loop.hpp"
 #include "nodes/localization_parameters.hpp"
@@ -105,6 +108,46 @@ TEST(Tuning, WritesWhatIsToldAndKeepsTheDefaultElsewhere) {
   EXPECT_NE(yaml.find("# errors of fixes under open sky: white 0.05 m"), std::string::npos);
   EXPECT_NE(yaml.find("distance: 0.005  # [m/sqrt(m)] not told by this bag: below 0.03"), std::string::npos);
   EXPECT_NE(yaml.find("delay, antenna: not told by this bag"), std::string::npos);
+}
+
+TEST(Tuning, SaysNothingActiveWhereFixesAndOdometryGoDifferentWays) {
+  Drive drive = NoisyDrive().record(1);
+  EXPECT_TRUE(tune(drive).alike);
+  for (auto& recorded : drive.measurements) {
+    auto& position = std::get<GnssFix>(recorded.measurement).position;
+    position = {position.y(), 0.5 * position.x()};
+  }
+  const Tuning tuning = tune(drive);
+  EXPECT_FALSE(tuning.alike);
+  EXPECT_EQ(YAML::Load(to_yaml(tuning)).size(), 0U);
+  EXPECT_NE(to_yaml(tuning).find("doctor --bag says why"), std::string::npos);
+}
+
+TEST(Tuning, TakesASilenceOfOdometryForNoStandstill) {
+  const Drive before = NoisyDrive().record(1);
+  Drive drive = before;
+  const double begin = 100.0, end = 112.0;  // the robot drives on
+  auto& odometry = drive.odometry;
+  odometry.erase(std::remove_if(odometry.begin(), odometry.end(),
+                                [&](const auto& u) { return u.stamp > begin && u.stamp <= end; }),
+                 odometry.end());
+  drive.restarts = {end + 0.05};
+  const Tuning tuning = tune(drive);
+  EXPECT_EQ(tuning.parts, 2U);
+  EXPECT_NEAR(tuning.fit.scale.value, 0.01, 0.005);
+  EXPECT_LT(tuning.fit.yaw.value, 2.0 * tune(before).fit.yaw.value);
+  EXPECT_NE(to_yaml(tuning).find("Of 2 parts between silences"), std::string::npos);
+}
+
+TEST(Tuning, LeavesOutWhatAFrozenReceiverRepeats) {
+  Drive drive = NoisyDrive().record(1);
+  for (std::size_t i = 1; i < 200; ++i) {
+    std::get<GnssFix>(drive.measurements[i].measurement).position =
+        std::get<GnssFix>(drive.measurements[0].measurement).position;
+  }
+  const Tuning tuning = tune(drive);
+  EXPECT_EQ(tuning.fixes, drive.measurements.size() - 199);
+  EXPECT_NEAR(tuning.fit.scale.value, 0.01, 0.01);
 }
 
 TEST(Tuning, SaysSoWhereNothingIsTold) {

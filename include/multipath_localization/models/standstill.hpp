@@ -7,7 +7,8 @@
 namespace multipath_localization {
 
 /// Tells bias and noise of the gyro from a turn on the spot, and noise of the lateral speed from a way
-/// sideways, while the base does not roll forwards or backwards.
+/// sideways, while the base does not roll forwards or backwards: neither now nor on average over the last
+/// moment, as between two ticks of an encoder that is read often.
 class Standstill {
  public:
   /// The increment, yaw rate and lateral speed zero where the robot neither turns nor moves sideways: then
@@ -15,7 +16,8 @@ class Standstill {
   OdometryIncrement settled(const OdometryIncrement& u);
 
  private:
-  double yaw_rate_ = 0.0;       ///< mean of the last moment [rad/s]
+  double speed_ = 0.0;          ///< mean of the last moment [m/s]
+  double yaw_rate_ = 0.0;       ///< likewise [rad/s]
   double lateral_speed_ = 0.0;  ///< likewise [m/s]
 };
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "multipath_localization/models/odometry_motion.hpp"
 #include "multipath_localization/models/standstill.hpp"
 
 namespace multipath_localization {
@@ -27,6 +28,8 @@ constexpr double kAntennaStep = 0.1;      // [m]
 constexpr double kWidestDelay = 0.3;      // range of one that is told, to either side [s]
 constexpr double kWidestAntenna = 0.5;    // likewise [m]
 constexpr double kApart = 0.02;           // one less the squared correlation of two that are told apart
+
+constexpr double kSpeedVaries = 0.1;  // about its mean, which parts the two
 
 constexpr std::size_t kNumbers = 5;
 
@@ -194,11 +197,24 @@ Told with_range(double value, double variance, double widest) {
   return {value, value - off, value + off, off < widest, off < widest};
 }
 
+/// By how much the speed varies about its mean while the robot moves, as a share of it.
+double speed_variation(const std::vector<OdometryIncrement>& odometry, double from, double to) {
+  double time = 0.0, way = 0.0, squares = 0.0;
+  for (const OdometryIncrement& u : odometry) {
+    if (u.stamp < from || u.stamp > to || standing(u)) continue;
+    time += u.duration;
+    way += u.speed * u.duration;
+    squares += u.speed * u.speed * u.duration;
+  }
+  return squares * time > way * way ? std::sqrt(squares * time / (way * way) - 1.0) : 0.0;
+}
+
 void fit_delay(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes,
                const SensorNoise& noise, NoiseFit& fit) {
   const DelayAndAntenna likelihood(odometry, fixes, noise);
   const DelayAndAntenna::Point top = likelihood.likeliest();
-  const auto covariance = likelihood.covariance(top);
+  const bool apart = speed_variation(odometry, fixes.front().stamp, fixes.back().stamp) > kSpeedVaries;
+  const auto covariance = apart ? likelihood.covariance(top) : std::nullopt;
   const Eigen::Vector2d variance = covariance
                                        ? Eigen::Vector2d(covariance->diagonal())
                                        : Eigen::Vector2d::Constant(kFarthestAntenna * kFarthestAntenna);

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 #include "multipath_localization/estimators/localizer.hpp"
 #include "multipath_localization/estimators/multipath_particle_filter.hpp"
 #include "tools/doctor/finding.hpp"
+#include "tools/doctor/shape_fit.hpp"
 #include "tools/tuning/open_sky.hpp"
 
 namespace multipath_localization {
@@ -14,7 +17,9 @@ namespace {
 
 constexpr double kEnoughOpenSky = 0.2;   // of the fixes
 constexpr double kWidestConstant = 0.5;  // of scale_sigma and gyro_bias_sigma
-constexpr double kNothing = 0.05;        // less is not worth a word [m]
+constexpr double kAlike = 0.3;           // of the extent of a piece of way, left between fixes and odometry
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNothing = 0.05;  // less is not worth a word [m]
 
 std::string range(const Told& number) {
   if (number.low_told && number.high_told) return text("%.3g..%.3g", number.low, number.high);
@@ -118,33 +123,88 @@ std::string stamp_lines(const NoiseFit& fit) {
   return delay_line(fit) + antenna_line(fit.antenna_ahead);
 }
 
+std::string commented(const std::string& lines) {
+  std::istringstream in(lines);
+  std::string all;
+  for (std::string next; std::getline(in, next);) all += (next.rfind('#', 0) == 0 ? "" : "# ") + next + "\n";
+  return all;
+}
+
+/// The drive between two silences of odometry, or the ends: where it was silent nobody knows what the robot
+/// did.
+Drive longest_part(const Drive& drive) {
+  if (drive.restarts.empty()) return drive;
+  std::vector<double> ends = {drive.odometry.front().stamp};
+  ends.insert(ends.end(), drive.restarts.begin(), drive.restarts.end());
+  ends.push_back(std::nextafter(drive.odometry.back().stamp, kNever));
+  std::size_t longest = 1;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (ends[i] - ends[i - 1] > ends[longest] - ends[longest - 1]) longest = i;
+  }
+  const auto outside = [&](double stamp) { return stamp < ends[longest - 1] || stamp >= ends[longest]; };
+  Drive part = drive;
+  part.restarts.clear();
+  auto& odometry = part.odometry;
+  odometry.erase(
+      std::remove_if(odometry.begin(), odometry.end(), [&](const auto& u) { return outside(u.stamp); }),
+      odometry.end());
+  auto& measurements = part.measurements;
+  measurements.erase(std::remove_if(measurements.begin(), measurements.end(),
+                                    [&](const auto& recorded) { return outside(recorded.arrival); }),
+                     measurements.end());
+  return part;
+}
+
+/// The fixes without those that say the same to the bit as the one before: of a receiver that has frozen, or
+/// of a driver that sends each twice.
+std::vector<GnssFix> without_repetitions(std::vector<GnssFix> fixes) {
+  const auto same = [](const GnssFix& a, const GnssFix& b) { return a.position == b.position; };
+  fixes.erase(std::unique(fixes.begin(), fixes.end(), same), fixes.end());
+  return fixes;
+}
+
 }  // namespace
 
-Tuning tune(const Drive& drive) {
+Tuning tune(const Drive& whole) {
   Tuning tuning;
-  std::vector<GnssFix> fixes = fixes_under_open_sky(drive);
-  const std::vector<GnssFix> all = drive.fixes();
+  tuning.parts = whole.restarts.size() + 1;
+  const Drive drive = longest_part(whole);
+  const std::vector<GnssFix> all = without_repetitions(drive.fixes());
+  const std::vector<GnssFix> open = without_repetitions(fixes_under_open_sky(drive));
   tuning.fixes = all.size();
-  tuning.open_sky = static_cast<double>(fixes.size()) >= kEnoughOpenSky * static_cast<double>(all.size());
-  tuning.fit = fit_noise(drive.odometry, tuning.open_sky ? fixes : all);
+  tuning.open_sky = static_cast<double>(open.size()) >= kEnoughOpenSky * static_cast<double>(all.size());
+  const std::vector<GnssFix>& fixes = tuning.open_sky ? open : all;
+  tuning.fit = fit_noise(drive.odometry, fixes);
+  const ShapeFit ways = fit_shape(fixes, OdometryTrack(drive.odometry));
+  tuning.alike = ways.pieces == 0 || ways.error < kAlike;
   return tuning;
 }
 
 std::string to_yaml(const Tuning& tuning) {
   const NoiseFit& fit = tuning.fit;
+  const std::string part =
+      tuning.parts > 1
+          ? text("# Of %zu parts between silences of odometry the longest counts.\n", tuning.parts)
+          : "";
   const std::string by =
-      text("# By %zu of %zu fixes%s, %.0f m of way in %.0f s of driving; ranges hold 95 %%.\n", fit.fixes,
-           tuning.fixes, tuning.open_sky ? " under open sky" : ", reflected ones among them", fit.way,
-           fit.moving_time);
+      part + text("# By %zu of %zu fixes%s, %.0f m of way in %.0f s of driving; ranges hold 95 %%.\n",
+                  fit.fixes, tuning.fixes,
+                  tuning.open_sky ? " under open sky" : ", reflected ones among them", fit.way,
+                  fit.moving_time);
   if (fit.white.value == 0.0) return by + "# Nothing told: too few fixes or too little driving.\n{}\n";
   const OdometryNoise usual = MultipathParticleFilterParameters{}.odometry;
-  return by + fix_line(tuning) + "multipath_particle_filter:\n  odometry:\n" +
-         line("scale_sigma", fit.scale, usual.scale_sigma, "1") +
-         line("gyro_bias_sigma", fit.gyro_bias, usual.gyro_bias_sigma, "rad/s") +
-         line("    ", "distance", fit.distance, usual.distance, "m/sqrt(m)",
-              "The fixes are too coarse; a tape tells.") +
-         line("    ", "yaw", fit.yaw, usual.yaw, "rad/sqrt(s)", "Drive further.") + fix_errors(tuning) +
-         stamp_lines(fit);
+  const std::string lines = fix_line(tuning) + "multipath_particle_filter:\n  odometry:\n" +
+                            line("scale_sigma", fit.scale, usual.scale_sigma, "1") +
+                            line("gyro_bias_sigma", fit.gyro_bias, usual.gyro_bias_sigma, "rad/s") +
+                            line("    ", "distance", fit.distance, usual.distance, "m/sqrt(m)",
+                                 "The fixes are too coarse; a tape tells.") +
+                            line("    ", "yaw", fit.yaw, usual.yaw, "rad/sqrt(s)", "Drive further.") +
+                            fix_errors(tuning) + stamp_lines(fit);
+  if (tuning.alike) return by + lines;
+  return by +
+         "# Odometry and fixes do not go the same way: doctor --bag says why. Until then none of this "
+         "holds.\n{}\n" +
+         commented(lines);
 }
 
 }  // namespace multipath_localization
