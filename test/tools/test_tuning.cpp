@@ -84,6 +84,8 @@ TEST(Tuning, SaysBothWhereDelayAndAntennaLookAlike) {
   tuning.fit.moving_time = 100.0;
   tuning.fit.delay = {-0.6, -5.0, 4.0, false, false};
   tuning.fit.antenna_ahead = {0.3, -5.0, 5.0, false, false};
+  EXPECT_NE(to_yaml(tuning).find("not told by this bag: drive a figure of eight"), std::string::npos);
+  tuning.fit.behind = {-0.9, -1.0, -0.8, true, true};
   const std::string yaml = to_yaml(tuning);
   EXPECT_EQ(gnss_parameters(yaml).delay, 0.0);
   EXPECT_NE(yaml.find("fixes are 0.90 m ahead"), std::string::npos);
@@ -120,7 +122,7 @@ TEST(Tuning, SaysNothingActiveWhereFixesAndOdometryGoDifferentWays) {
   const Tuning tuning = tune(drive);
   EXPECT_FALSE(tuning.alike);
   EXPECT_EQ(YAML::Load(to_yaml(tuning)).size(), 0U);
-  EXPECT_NE(to_yaml(tuning).find("doctor --bag says why"), std::string::npos);
+  EXPECT_NE(to_yaml(tuning).find("doctor --bag FILE says why"), std::string::npos);
 }
 
 TEST(Tuning, TakesASilenceOfOdometryForNoStandstill) {

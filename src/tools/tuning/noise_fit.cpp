@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -172,7 +173,7 @@ class DelayAndAntenna {
 
   /// Covariance by the curvature there; nothing where the two are not told apart.
   [[nodiscard]] std::optional<Eigen::Matrix2d> covariance(const Point& top) const {
-    const Point h(0.5 * kDelayStep, 0.5 * kAntennaStep);
+    const Point h = curvature_step();
     const auto at = [&](double i, double j) { return (*this)(top + Point(i * h.x(), j * h.y())); };
     const double centre = at(0, 0);
     Eigen::Matrix2d information;
@@ -185,7 +186,17 @@ class DelayAndAntenna {
     return information.inverse();
   }
 
+  /// Variance of the antenna's place there, the delay being known; infinite where the drive does not tell
+  /// [m^2].
+  [[nodiscard]] double variance_of_antenna(const Point& top) const {
+    const Point step(0.0, curvature_step().y());
+    const double bend = 2.0 * (*this)(top) - (*this)(top + step) - (*this)(top - step);
+    return bend > 0.0 ? step.squaredNorm() / bend : std::numeric_limits<double>::infinity();
+  }
+
  private:
+  static Point curvature_step() { return {0.5 * kDelayStep, 0.5 * kAntennaStep}; }
+
   const std::vector<OdometryIncrement>& odometry_;
   const std::vector<GnssFix>& fixes_;
   SensorNoise noise_;
@@ -220,6 +231,8 @@ void fit_delay(const std::vector<OdometryIncrement>& odometry, const std::vector
                                        : Eigen::Vector2d::Constant(kFarthestAntenna * kFarthestAntenna);
   fit.delay = with_range(top.x(), variance.x(), kWidestDelay);
   fit.antenna_ahead = with_range(top.y(), variance.y(), kWidestAntenna);
+  const double speed = fit.way / fit.moving_time;
+  fit.behind = with_range(top.x() * speed - top.y(), likelihood.variance_of_antenna(top), kWidestAntenna);
 }
 
 }  // namespace

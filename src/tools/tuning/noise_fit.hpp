@@ -32,6 +32,7 @@ struct NoiseFit {
   /// `antenna_ahead`, of which one second is worth a second's way.
   Told delay;
   Told antenna_ahead;  ///< how much further ahead the antenna is than told [m]; told likewise
+  Told behind;         ///< how far fixes are behind, by whichever of the two, at the mean speed [m]
   FittedConstant scale;
   FittedConstant gyro_bias;
   std::size_t fixes = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "multipath_localization/estimators/localizer.hpp"
 #include "multipath_localization/estimators/multipath_particle_filter.hpp"
@@ -78,18 +77,19 @@ bool may_be_none(const Told& number) { return number.low <= 0.0 && number.high >
 
 /// What delay and antenna look like together, where they are not told apart: at this speed.
 std::string together_lines(const NoiseFit& fit) {
-  if (!(fit.way > 0.0)) return "# delay, antenna: not told by this bag\n";
+  const Told& behind = fit.behind;
+  if (!behind.low_told)
+    return "# delay, antenna: not told by this bag: drive a figure of eight at several speeds\n";
   const double speed = fit.way / fit.moving_time;
-  const double behind = fit.delay.value * speed - fit.antenna_ahead.value;
-  const std::string seen = std::abs(behind) < kNothing
+  const std::string seen = may_be_none(behind) || std::abs(behind.value) < kNothing
                                ? std::string("fixes are where they are to be")
-                               : text("fixes are %.2f m %s of where they are to be", std::abs(behind),
-                                      behind > 0.0 ? "behind" : "ahead");
+                               : text("fixes are %.2f m %s of where they are to be", std::abs(behind.value),
+                                      behind.value > 0.0 ? "behind" : "ahead");
   return text(
       "# delay, antenna: not told apart by this bag, its speed hardly varies: %s, be it\n"
       "#   by a delay of %.3f s or by an antenna %.2f m further %s than told. Measure the antenna, or drive\n"
       "#   at several speeds.\n",
-      seen.c_str(), behind / speed, std::abs(behind), behind > 0.0 ? "back" : "ahead");
+      seen.c_str(), behind.value / speed, std::abs(behind.value), behind.value > 0.0 ? "back" : "ahead");
 }
 
 std::string delay_line(const NoiseFit& fit) {
@@ -121,13 +121,6 @@ std::string antenna_line(const Told& ahead) {
 std::string stamp_lines(const NoiseFit& fit) {
   if (!fit.delay.low_told || !fit.antenna_ahead.low_told) return together_lines(fit);
   return delay_line(fit) + antenna_line(fit.antenna_ahead);
-}
-
-std::string commented(const std::string& lines) {
-  std::istringstream in(lines);
-  std::string all;
-  for (std::string next; std::getline(in, next);) all += (next.rfind('#', 0) == 0 ? "" : "# ") + next + "\n";
-  return all;
 }
 
 /// The drive between two silences of odometry, or the ends: where it was silent nobody knows what the robot
@@ -193,18 +186,17 @@ std::string to_yaml(const Tuning& tuning) {
                   fit.moving_time);
   if (fit.white.value == 0.0) return by + "# Nothing told: too few fixes or too little driving.\n{}\n";
   const OdometryNoise usual = MultipathParticleFilterParameters{}.odometry;
-  const std::string lines = fix_line(tuning) + "multipath_particle_filter:\n  odometry:\n" +
-                            line("scale_sigma", fit.scale, usual.scale_sigma, "1") +
-                            line("gyro_bias_sigma", fit.gyro_bias, usual.gyro_bias_sigma, "rad/s") +
-                            line("    ", "distance", fit.distance, usual.distance, "m/sqrt(m)",
-                                 "The fixes are too coarse; a tape tells.") +
-                            line("    ", "yaw", fit.yaw, usual.yaw, "rad/sqrt(s)", "Drive further.") +
-                            fix_errors(tuning) + stamp_lines(fit);
-  if (tuning.alike) return by + lines;
-  return by +
-         "# Odometry and fixes do not go the same way: doctor --bag says why. Until then none of this "
-         "holds.\n{}\n" +
-         commented(lines);
+  if (!tuning.alike) {
+    return by +
+           "# Nothing told: fixes and odometry do not go the same way; doctor --bag FILE says why.\n{}\n";
+  }
+  return by + fix_line(tuning) + "multipath_particle_filter:\n  odometry:\n" +
+         line("scale_sigma", fit.scale, usual.scale_sigma, "1") +
+         line("gyro_bias_sigma", fit.gyro_bias, usual.gyro_bias_sigma, "rad/s") +
+         line("    ", "distance", fit.distance, usual.distance, "m/sqrt(m)",
+              "The fixes are too coarse; a tape tells.") +
+         line("    ", "yaw", fit.yaw, usual.yaw, "rad/sqrt(s)", "Drive further.") + fix_errors(tuning) +
+         stamp_lines(fit);
 }
 
 }  // namespace multipath_localization
