@@ -9,7 +9,6 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kUneven = 1.8;          ///< times, by which an interval is longer than one of the same rate
 constexpr double kLeastSideways = 1e-9;  ///< beyond rounding [m]
 constexpr double kOfHalfTurn = 1.1;      ///< what may still come of the yaw at an end of the interval
 
@@ -63,7 +62,6 @@ void OdometryReader::clear() {
   last_pose_.reset();
   last_.reset();
   suspect_.reset();
-  last_duration_ = 0.0;
   agreement_.clear();
 }
 
@@ -88,7 +86,6 @@ CheckedOdometry OdometryReader::read(const nav_msgs::Odometry& message) {
     checked.reason = Reason::kTooFast;
     return checked;
   }
-  if (last_) last_duration_ = checked.increment.duration;
   last_ = now;
   return checked;
 }
@@ -131,27 +128,21 @@ Reason OdometryReader::check_time(double stamp, bool& restarted) {
   return step > 0.0 ? Reason::kFutureStamp : Reason::kOldStamp;
 }
 
+/// By a twist, the latest: base drivers divide ticks by the time since the message before, or average that
+/// over several. A mean with the twist before would lag by half an interval more.
 OdometryIncrement OdometryReader::motion(const nav_msgs::Odometry& message, const Seen& now) {
-  const TwistSample& twist = now.twist;
   const double duration = last_ ? now.stamp() - last_->stamp() : kFirstInterval;
-  const OdometryIncrement by_latest = motion_of(twist, duration);
-  OdometryIncrement increment = by_latest;
-  if (last_ && is_steady(duration)) increment = motion_between(last_->twist, twist);
+  OdometryIncrement increment = motion_of(now.twist, duration);
   if (last_pose_ && last_pose_->oriented && now.oriented && now.stamp() > last_pose_->stamp()) {
     const double step = now.stamp() - last_pose_->stamp();
     OdometryIncrement by_pose = arc_to(inverse(last_pose_->base_in_odom) * now.base_in_odom, step);
     if (!parameters_.lateral) by_pose.lateral_speed = 0.0;
-    if (at_rest(message.twist.twist) || agreement_.agrees(by_pose, motion_of(twist, step)))
+    if (at_rest(message.twist.twist) || agreement_.agrees(by_pose, motion_of(now.twist, step)))
       increment = by_pose;
   }
   increment.stamp = now.stamp();
   increment.duration = duration;
   return increment;
-}
-
-bool OdometryReader::is_steady(double duration) const {
-  return last_duration_ == 0.0 ||
-         std::max(duration, last_duration_) < kUneven * std::min(duration, last_duration_);
 }
 
 }  // namespace multipath_localization

@@ -73,8 +73,6 @@ class OdometryReader {
   [[nodiscard]] Seen seen(const nav_msgs::Odometry& message) const;
   /// Moves by a pose without orientation alone.
   [[nodiscard]] bool tells_no_turn(const nav_msgs::Odometry& message, const Seen& now) const;
-  /// An interval about as long as the one before.
-  [[nodiscard]] bool is_steady(double duration) const;
 
   [[nodiscard]] Reason check_content(const nav_msgs::Odometry& message) const;
   Reason check_time(double stamp, bool& restarted);
@@ -85,7 +83,6 @@ class OdometryReader {
   std::optional<Seen> last_pose_;  ///< the last message with a usable pose, refused or not
   std::optional<Seen> last_;       ///< the last one accepted, where the last increment ends
   std::optional<double> suspect_;  ///< stamp of the message before, refused for a jump
-  double last_duration_ = 0.0;     ///< of the last increment between two messages, 0 for none [s]
   PoseAgreement agreement_;
 };
 

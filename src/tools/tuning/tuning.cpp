@@ -81,15 +81,20 @@ std::string together_lines(const NoiseFit& fit) {
   if (!behind.low_told)
     return "# delay, antenna: not told by this bag: drive a figure of eight at several speeds\n";
   const double speed = fit.way / fit.moving_time;
-  const std::string seen = may_be_none(behind) || std::abs(behind.value) < kNothing
-                               ? std::string("fixes are where they are to be")
-                               : text("fixes are %.2f m %s of where they are to be", std::abs(behind.value),
-                                      behind.value > 0.0 ? "behind" : "ahead");
+  if (may_be_none(behind) || std::abs(behind.value) < kNothing) {
+    return text("# delay, antenna: fixes are where they are to be, give or take %.2f m\n",
+                0.5 * (behind.high - behind.low));
+  }
+  const bool late = behind.value > 0.0;
   return text(
-      "# delay, antenna: not told apart by this bag, its speed hardly varies: %s, be it\n"
-      "#   by a delay of %.3f s or by an antenna %.2f m further %s than told. Measure the antenna, or drive\n"
+      "# delay, antenna: not told apart by this bag, its speed hardly varies: fixes are %.2f m %s of where "
+      "they "
+      "are to be,\n"
+      "#   be it by a delay of %.3f s or by an antenna %.2f m further %s than told. Measure the antenna, or "
+      "drive\n"
       "#   at several speeds.\n",
-      seen.c_str(), behind.value / speed, std::abs(behind.value), behind.value > 0.0 ? "back" : "ahead");
+      std::abs(behind.value), late ? "behind" : "ahead", behind.value / speed, std::abs(behind.value),
+      late ? "back" : "ahead");
 }
 
 std::string delay_line(const NoiseFit& fit) {
