@@ -89,11 +89,12 @@ Findings check_scatter(const Observations& seen) {
     differences.push_back(std::abs(chord.by_fixes.norm() - chord.by_odometry.norm()));
   }
   const double declared = median_declared(seen);
-  if (!fit_shape(motion.fixes, motion.track).fits()) {
-    return {untold("fix: its way is not that of odometry, so they do not tell how much fixes scatter")};
-  }
-  if (differences.size() < kEnoughChords || std::isnan(declared)) {
+  const ShapeFit way = fit_shape(motion.fixes, motion.track);
+  if (!way.has_enough() || differences.size() < kEnoughChords || std::isnan(declared)) {
     return {untold("fix: too little driving with fixes to see how much they scatter")};
+  }
+  if (!way.fits()) {
+    return {untold("fix: its way is not that of odometry, so they do not tell how much fixes scatter")};
   }
   const double observed = kMadToSigma * quantile(differences, 0.5) * std::sqrt(0.5);
   const std::string what = text("fix: scatter about odometry %.2f m over %.0f m of way, declared %.3g m",

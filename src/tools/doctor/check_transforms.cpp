@@ -116,15 +116,25 @@ Finding antenna_at(const Observations& seen, const std::string& frame, const Eig
   const std::string& base = seen.frames.base_link_frame;
   const std::string what =
       text("tf: %s is at %.2f, %.2f, %.2f in %s", frame.c_str(), at.x(), at.y(), at.z(), base.c_str());
-  if (!(turn <= kLargestTurn)) {
-    return fix(what + text(", turned by %.0f degrees, which an antenna is not", turn * 180.0 / kPi),
-               text("rosrun tf2_ros static_transform_publisher %g %g %g 0 0 0 %s %s", at.x(), at.y(), at.z(),
-                    base.c_str(), frame.c_str()));
-  }
   if (!(at.head<2>().norm() <= kFarthestAntenna)) {
     return fix(what + ", which is off the robot", place_antenna(seen, frame));
   }
-  return pass(what);
+  if (turn <= kLargestTurn) return pass(what);
+  return pass(what + text(", turned by %.0f degrees, which an antenna does not mind", turn * 180.0 / kPi));
+}
+
+/// Whether tf has that frame.
+bool is_known(const Observations& seen, const std::string& frame) {
+  return std::any_of(seen.transforms.begin(), seen.transforms.end(), [&](const Broadcast& broadcast) {
+    return without_slash(broadcast.transform.header.frame_id) == frame ||
+           without_slash(broadcast.transform.child_frame_id) == frame;
+  });
+}
+
+/// Whether it is the node's name of the base that tf does not know, while it knows odometry's.
+bool base_is_misnamed(const Observations& seen) {
+  if (seen.odometry.empty() || is_known(seen, seen.frames.base_link_frame)) return false;
+  return is_known(seen, without_slash(seen.odometry.back().message.child_frame_id));
 }
 
 Finding antenna_in(const Observations& seen, const std::string& frame) {
@@ -143,6 +153,9 @@ Finding antenna_in(const Observations& seen, const std::string& frame) {
   if (!seen.antenna.empty()) {
     return pass(text("fix: the antenna is at %.2f, %.2f on the base, by the parameter antenna",
                      seen.antenna[0], seen.antenna[1]));
+  }
+  if (base_is_misnamed(seen)) {
+    return untold("tf: where " + frame + " is on the robot shows once base_link_frame is mended");
   }
   return fix("tf: nobody says where " + frame + " is on the robot", place_antenna(seen, frame));
 }

@@ -88,9 +88,11 @@ double quantile_of(const std::vector<PieceFit>& pieces, double PieceFit::*figure
 
 }  // namespace
 
-bool ShapeFit::same_shape() const { return pieces >= kFewestPieces && error < kAlike; }
+bool ShapeFit::has_enough() const { return pieces >= kFewestPieces; }
 
-bool ShapeFit::mirrored_shape() const { return pieces >= kFewestPieces && mirrored_error < kAlike; }
+bool ShapeFit::same_shape() const { return has_enough() && error < kAlike; }
+
+bool ShapeFit::mirrored_shape() const { return has_enough() && mirrored_error < kAlike; }
 
 bool ShapeFit::tells_scale() const { return same_shape() && scale_spread <= kSteadyScale * scale; }
 

@@ -19,6 +19,8 @@ struct ShapeFit {
   std::size_t alike = 0;        ///< pieces that fit as they are and not turned over
   std::size_t opposite = 0;     ///< pieces that fit turned over and not as they are
 
+  /// Enough pieces for anything below.
+  [[nodiscard]] bool has_enough() const;
   /// Enough pieces that have the same shape: then their scale means something.
   [[nodiscard]] bool same_shape() const;
   /// The same shape, and all pieces of one scale.
