@@ -16,7 +16,7 @@ struct Tuning {
   std::size_t parts = 1;  ///< between silences of odometry, of which the longest counts
 };
 
-Tuning tune(const Drive& drive);
+Tuning tune(const Drive& whole);
 
 /// Parameters of localization_node as YAML to load after config/robot.yaml, with how sure each is. What the
 /// drive does not tell stays as it is by default, unless the drive rules that out. Comments alone where the
