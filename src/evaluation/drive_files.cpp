@@ -100,6 +100,28 @@ void write_drive(const Drive& drive, const std::string& directory) {
   write_truth(drive, map, folder);
 }
 
+namespace {
+
+/// Adds the drive of a folder, or why it is none.
+void add_drive(const fs::path& folder, double score_from, FoundDrives& found) {
+  std::string reason = what_is_missing(folder);
+  try {
+    if (reason.empty()) {
+      Drive drive = fixes_alone(read_drive(folder.string()));
+      if (drive.truth.back().stamp > drive.start() + score_from) {
+        found.drives.push_back(std::move(drive));
+        return;
+      }
+      reason = "ends before what is scored";
+    }
+  } catch (const DriveError& error) {
+    reason = error.what();
+  }
+  found.left_out.push_back(folder.filename().string() + ": " + reason);
+}
+
+}  // namespace
+
 FoundDrives read_drives(const std::string& directory, double score_from) {
   if (!fs::is_directory(directory)) throw DriveError(directory + " is not a directory");
   std::vector<fs::path> folders;
@@ -108,19 +130,7 @@ FoundDrives read_drives(const std::string& directory, double score_from) {
   }
   std::sort(folders.begin(), folders.end());
   FoundDrives found;
-  for (const fs::path& folder : folders) {
-    const std::string name = folder.filename().string();
-    std::string reason = what_is_missing(folder);
-    if (reason.empty()) {
-      Drive drive = fixes_alone(read_drive(folder.string()));
-      if (drive.truth.back().stamp > drive.start() + score_from) {
-        found.drives.push_back(std::move(drive));
-        continue;
-      }
-      reason = "ends before what is scored";
-    }
-    found.left_out.push_back(name + ": " + reason);
-  }
+  for (const fs::path& folder : folders) add_drive(folder, score_from, found);
   if (found.drives.empty()) throw DriveError(directory + ": no drive in it");
   return found;
 }

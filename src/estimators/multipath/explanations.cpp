@@ -77,7 +77,7 @@ class Explainer {
   void in_shadow();
   void lost();
   void add(double prior, Explanation explanation);
-  void add_with_fault(double prior, Explanation explanation);
+  void add_staying(double prior, const Explanation& explanation);
   [[nodiscard]] double log_likelihood(const Explanation& explanation) const;
 
   const Hypothesis& h_;
@@ -159,27 +159,28 @@ void Explainer::add(double prior, Explanation explanation) {
   all_.push_back(explanation);
 }
 
-void Explainer::add_with_fault(double prior, Explanation explanation) {
-  explanation.event = true;
-  explanation.fault = fault_;
-  add(prior * fault_probability_, explanation);
+/// What was goes on: with a fix as expected, with wheels that fail, or with an outlier.
+void Explainer::add_staying(double prior, const Explanation& explanation) {
+  log_stay_ = std::log(prior * (1.0 - fault_probability_));
+  Explanation as_expected = explanation;
+  as_expected.event = false;
+  add(prior * (1.0 - kOutlierShare) * (1.0 - fault_probability_), as_expected);
+  Explanation failing = explanation;
+  failing.fault = fault_;
+  add(prior * fault_probability_, failing);
+  Explanation outlier = explanation;
+  outlier.noise = outlier_;
+  add(prior * kOutlierShare, outlier);
 }
 
 void Explainer::under_open_sky() {
   const double enter =
       std::min(kMostEntry, probability(z_.shadow_entry_rate * declared_influence_, z_.duration));
   const double stay = 1.0 - enter;
-  log_stay_ = std::log(stay * (1.0 - fault_probability_));
   Explanation open;
   open.slow = slow_decay(h_.level, z_.level);
   open.noise = white_;
-  open.event = false;
-  add(stay * (1.0 - kOutlierShare) * (1.0 - fault_probability_), open);
-  add_with_fault(stay, open);
-  Explanation outlier = open;
-  outlier.noise = outlier_;
-  outlier.event = true;
-  add(stay * kOutlierShare, outlier);
+  add_staying(stay, open);
   Explanation entered;
   entered.in_shadow = entered.new_shadow = true;
   entered.slow = slow_decay(h_.level, shadow_level_);
@@ -193,26 +194,18 @@ void Explainer::in_shadow() {
       h_.shadow_law.leave_rate / std::min(kMostDeclaredInfluence, declared_influence_), z_.duration);
   const double change = probability(kShadowChangeRate, z_.duration);
   const double stay = (1.0 - leave) * (1.0 - change);
-  log_stay_ = std::log(stay * (1.0 - fault_probability_));
   Explanation on;
   on.in_shadow = true;
   on.slow = slow_decay(h_.level, shadow_level_);
   on.shadow = shadow_decay();
   on.noise = shadow_white_ + square(h_.shadow_law.noise) * Matrix2d::Identity();
-  on.event = false;
-  add(stay * (1.0 - kOutlierShare) * (1.0 - fault_probability_), on);
-  add_with_fault(stay, on);
-  Explanation outlier = on;
-  outlier.noise = outlier_;
-  outlier.event = true;
-  add(stay * kOutlierShare, outlier);
+  add_staying(stay, on);
   Explanation moved = on;
-  moved.in_shadow = true;
   moved.moved_by_bias = true;
   moved.noise = white_;
   if (!standing_) add(stay * probability(kWrongPoseRate, z_.duration), moved);
   Explanation changed = on;
-  changed.event = changed.new_shadow = true;
+  changed.new_shadow = true;
   changed.shadow = {0.0, square(next_shadow_.first)};
   changed.noise = shadow_white_ + square(next_shadow_.noise) * Matrix2d::Identity();
   add((1.0 - leave) * change, changed);

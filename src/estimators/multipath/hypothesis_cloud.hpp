@@ -26,11 +26,12 @@ struct Mixture {
   double effective_size = 1.0;
 };
 
-/// How wide the odometry's constants may be off at the start.
+/// How many hypotheses, and how wide what they start with.
 struct CloudSettings {
   int particles = 800;
   OdometryNoise odometry;
-  double turn_scale_sigma = 0.04;
+  double turn_scale_sigma = 0.04;  ///< of turns [1]
+  double largest_bias = 40.0;      ///< of a shadow [m]
 };
 
 /// Weighted hypotheses of pose, errors of odometry and laws of errors.
