@@ -26,12 +26,11 @@ struct Mixture {
   double effective_size = 1.0;
 };
 
-/// How many hypotheses, and how wide what they start with.
+/// How wide the odometry's constants may be off at the start.
 struct CloudSettings {
   int particles = 800;
   OdometryNoise odometry;
-  double turn_scale_sigma = 0.04;  ///< of turns [1]
-  double largest_bias = 40.0;      ///< of a shadow [m]
+  double turn_scale_sigma = 0.04;
 };
 
 /// Weighted hypotheses of pose, errors of odometry and laws of errors.

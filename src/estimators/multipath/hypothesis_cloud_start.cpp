@@ -13,6 +13,8 @@ constexpr std::size_t kLawsPerHeading = 50;  // at least, of errors
 constexpr double kRingSpacing = 0.6;         // sigma of a heading, in spacings: neighbours overlap
 constexpr double kNarrowHeading = 0.1;       // a known heading that one Kalman filter holds [rad]
 constexpr double kShadowAtStart = 0.3;       // a robot is often switched on beside its shed
+constexpr double kLeastStartBias = 1.5;      // [m]
+constexpr double kLargestStartBias = 150.0;  // receivers start worse than they go on [m]
 
 // One robot of five comes as it left the bench: a wheel radius or track width nobody measured, yaw rates from
 // wheels that skid or a steering angle that is off by a degree or two, a gyro nobody calibrated. Each of the
@@ -46,7 +48,8 @@ void HypothesisCloud::spread(std::size_t count) {
     h.law = draw_error_law(random);
     h.level = level_.value_or(0.0);
     h.in_shadow = random.uniform() < kShadowAtStart;
-    h.shadow_law = draw_shadow_law(h.law.open_sigma() * h.level, settings_.largest_bias, random);
+    h.shadow_law = draw_shadow_law(h.law.open_sigma() * h.level, kLargestStartBias, random);
+    h.shadow_law.size = log_uniform(kLeastStartBias, kLargestStartBias, random);
     h.covariance(kScale, kScale) = constant_variance(noise.scale_sigma, kWideScaleSigma, random);
     h.covariance(kGyroBias, kGyroBias) = constant_variance(noise.gyro_bias_sigma, kWideGyroBiasSigma, random);
     h.covariance(kTurnScale, kTurnScale) =

@@ -25,7 +25,7 @@ constexpr std::uint64_t kRivalSeed = 0x9E3779B97F4A7C15U;  ///< its draws are no
 constexpr double kLeastSigma = 1e-3;  ///< no receiver is better than that, whatever it declares [m]
 
 multipath::CloudSettings cloud_settings(const MultipathParticleFilterParameters& parameters) {
-  return {parameters.particles, parameters.odometry, parameters.turn_scale_sigma, parameters.largest_bias};
+  return {parameters.particles, parameters.odometry, parameters.turn_scale_sigma};
 }
 
 multipath::OdometryErrors errors_of(const multipath::State& mean) {
