@@ -26,8 +26,12 @@ OdometryIncrement joined(const OdometryIncrement& first, const OdometryIncrement
   const double duration = first.duration + second.duration;
   const double share = second.duration / duration;
   const auto mean = [share](double a, double b) { return a + share * (b - a); };
-  return {second.stamp, duration, mean(first.speed, second.speed), mean(first.yaw_rate, second.yaw_rate),
-          mean(first.lateral_speed, second.lateral_speed)};
+  return {second.stamp,
+          duration,
+          mean(first.speed, second.speed),
+          mean(first.yaw_rate, second.yaw_rate),
+          mean(first.lateral_speed, second.lateral_speed),
+          first.from_range_rates && second.from_range_rates};
 }
 
 namespace {

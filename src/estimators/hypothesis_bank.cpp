@@ -14,18 +14,15 @@ constexpr double kSameHeading = 0.3;    // likewise
 constexpr double kLeastDistance = 0.3;  // [m]
 constexpr double kLeastTurn = 0.01;     // [rad]
 
-double position_sigma(const PseudorangeHypothesis& hypothesis) {
-  const auto& P = hypothesis.belief.covariance;
-  return std::sqrt(0.5 * (P(kX, kX) + P(kY, kY)));
+double position_sigma(const Belief& belief) {
+  return std::sqrt(0.5 * (belief.covariance(kX, kX) + belief.covariance(kY, kY)));
 }
 
-double yaw_sigma(const PseudorangeHypothesis& hypothesis) {
-  return std::sqrt(hypothesis.belief.covariance(kYaw, kYaw));
-}
+double yaw_sigma(const Belief& belief) { return std::sqrt(belief.covariance(kYaw, kYaw)); }
 
-bool agree(const PseudorangeHypothesis& a, const PseudorangeHypothesis& b) {
-  const double turn = std::abs(angle_difference(a.belief.mean(kYaw), b.belief.mean(kYaw)));
-  const double distance = (a.belief.mean.head<2>() - b.belief.mean.head<2>()).norm();
+bool agree(const Belief& a, const Belief& b) {
+  const double turn = std::abs(angle_difference(a.mean(kYaw), b.mean(kYaw)));
+  const double distance = (a.mean.head<2>() - b.mean.head<2>()).norm();
   return turn < std::max(kLeastTurn, kSameHeading * std::min(yaw_sigma(a), yaw_sigma(b))) &&
          distance < std::max(kLeastDistance, kSamePlace * std::min(position_sigma(a), position_sigma(b)));
 }
@@ -58,9 +55,11 @@ void thin_out(std::vector<PseudorangeHypothesis>& bank, double least) {
                    [&](std::size_t a, std::size_t b) { return bank[a].log_weight > bank[b].log_weight; });
   std::vector<std::size_t> kept;
   kept.reserve(order.size());
+  const std::vector<WeightedBelief> particles = planar(bank);
   for (const std::size_t i : order) {
-    const auto heir =
-        std::find_if(kept.begin(), kept.end(), [&](std::size_t k) { return agree(bank[k], bank[i]); });
+    const auto heir = std::find_if(kept.begin(), kept.end(), [&](std::size_t k) {
+      return agree(particles[k].belief, particles[i].belief);
+    });
     if (heir == kept.end()) {
       kept.push_back(i);
     } else {
@@ -71,7 +70,7 @@ void thin_out(std::vector<PseudorangeHypothesis>& bank, double least) {
   for (std::size_t k = 0; k < kept.size(); ++k) {
     if (kept[k] != k) bank[k] = bank[kept[k]];
   }
-  bank.resize(kept.size());
+  bank.erase(bank.begin() + static_cast<std::ptrdiff_t>(kept.size()), bank.end());
   const std::vector<double> weights = weights_of(bank);
   for (std::size_t k = 0; k < bank.size(); ++k) bank[k].log_weight = std::log(weights[k]);
 }
@@ -82,8 +81,8 @@ std::vector<WeightedBelief> planar(const std::vector<PseudorangeHypothesis>& ban
   particles.reserve(bank.size());
   for (std::size_t i = 0; i < bank.size(); ++i) {
     WeightedBelief particle;
-    particle.belief = bank[i].belief.planar();
-    particle.in_shadow = bank[i].line_of_sight_share < 0.5;
+    particle.belief = bank[i].planar();
+    particle.in_shadow = bank[i].line_of_sight_share() < 0.5;
     particle.weight = weights[i];
     particles.push_back(particle);
   }

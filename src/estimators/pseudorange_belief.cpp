@@ -10,6 +10,8 @@ namespace multipath_localization {
 
 namespace {
 
+constexpr double kStoppingTime = 0.2;  // of a slip once the wheels stand [s]
+
 /// P - r r' of n x n, column by column.
 void subtract_square(double* P, const double* r, Eigen::Index n) {
   for (Eigen::Index j = 0; j < n; ++j, P += n) {
@@ -59,8 +61,9 @@ void PseudorangeBelief::remove(int slot) {
   covariance.conservativeResize(last, last);
 }
 
-void PseudorangeBelief::propagate(const PreintegratedOdometry& odometry, const OdometryNoise& odometry_noise,
-                                  const ReceiverStateNoise& noise, const SatelliteSlots& slots) {
+void PseudorangeBelief::propagate(const PreintegratedOdometry& odometry, const MotionLaw& law,
+                                  const OdometryNoise& odometry_noise, const ReceiverStateNoise& noise,
+                                  const SatelliteSlots& slots) {
   const double dt = odometry.duration();
   const double moving = odometry.moving_time();
   const Eigen::Matrix2d R = rotation(mean(kYaw));
@@ -79,8 +82,45 @@ void PseudorangeBelief::propagate(const PreintegratedOdometry& odometry, const O
   mean(kYaw) = wrap_angle(mean(kYaw) + odometry.turn(mean(kGyroBias)));
   mean.head<2>() += d;
 
+  const double slipping = law.always ? dt : moving;
+  P(kYaw, kYaw) += square(law.yaw_noise) * slipping;
+  slip(slipping, law);
+  settle(dt - slipping);
   change_slots(dt, noise, slots);
   add_noise(odometry, R, odometry_noise, noise);
+}
+
+void PseudorangeBelief::slip(double dt, const MotionLaw& law) {
+  const double tau = law.velocity_time;
+  const double kept = std::exp(-dt / tau);
+  const double way = tau * (1.0 - kept);  // of a metre a second, until it has decayed
+  constexpr int v = kVelocityEast;
+  Matrix& P = covariance;
+  P.topRows<2>() += (way * P.middleRows<2>(v)).eval();
+  P.leftCols<2>() += (way * P.middleCols<2>(v)).eval();
+  P.middleRows<2>(v) *= kept;
+  P.middleCols<2>(v) *= kept;
+  mean.head<2>() += way * mean.segment<2>(v);
+  mean.segment<2>(v) *= kept;
+
+  const double variance = square(law.velocity_sigma);
+  const double of_position = variance * square(tau) * (2.0 * dt / tau - 3.0 + 4.0 * kept - square(kept));
+  const double of_both = variance * tau * square(1.0 - kept);
+  const double of_velocity = variance * (1.0 - square(kept));
+  for (int i = 0; i < 2; ++i) {
+    P(kX + i, kX + i) += of_position;
+    P(kX + i, v + i) += of_both;
+    P(v + i, kX + i) += of_both;
+    P(v + i, v + i) += of_velocity;
+  }
+}
+
+void PseudorangeBelief::settle(double dt) {
+  constexpr int v = kVelocityEast;
+  const double kept = std::exp(-dt / kStoppingTime);
+  covariance.middleRows<2>(v) *= kept;
+  covariance.middleCols<2>(v) *= kept;
+  mean.segment<2>(v) *= kept;
 }
 
 void PseudorangeBelief::change_slots(double dt, const ReceiverStateNoise& noise,

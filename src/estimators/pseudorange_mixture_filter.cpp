@@ -40,6 +40,15 @@ std::vector<SlotOwner> owners_of(const std::vector<SatelliteObservation>& observ
   return owners;
 }
 
+/// Increments made of the range rates tell an epoch no motion beside them.
+void set_motion(SlottedEpoch& epoch, const OdometryIncrement& last) {
+  epoch.wheels = !last.from_range_rates;
+  if (!epoch.wheels) return;
+  epoch.speed = last.speed;
+  epoch.lateral_speed = last.lateral_speed;
+  epoch.yaw_rate = last.yaw_rate;
+}
+
 }  // namespace
 
 PseudorangeMixtureFilter::PseudorangeMixtureFilter(const PseudorangeMixtureFilterParameters& parameters,
@@ -49,6 +58,7 @@ PseudorangeMixtureFilter::PseudorangeMixtureFilter(const PseudorangeMixtureFilte
 void PseudorangeMixtureFilter::start(const std::optional<PosePrior>& prior) {
   bank_.clear();
   slots_ = SatelliteSlots();
+  signal_ = SignalScale();
   cluster_ = place_ = DominantCluster();
   odometry_.restart(0.0, 0.0);
   last_ = OdometryIncrement();
@@ -58,10 +68,10 @@ void PseudorangeMixtureFilter::start(const std::optional<PosePrior>& prior) {
   has_clock_ = aligned_ = false;
   if (!prior || !usable(*prior)) return;
   last_.stamp = last_epoch_ = last_seeding_ = prior->stamp;
-  PseudorangeHypothesis hypothesis = unknown_hypothesis();
-  hypothesis.belief.mean.head<3>() << prior->pose.x, prior->pose.y, wrap_angle(prior->pose.yaw);
-  hypothesis.belief.covariance.topLeftCorner<3, 3>() = prior->covariance;
-  bank_.push_back(hypothesis);
+  PseudorangeBelief belief = unknown_belief();
+  belief.mean.head<3>() << prior->pose.x, prior->pose.y, wrap_angle(prior->pose.yaw);
+  belief.covariance.topLeftCorner<3, 3>() = prior->covariance;
+  bank_.emplace_back(belief, laws());
   aligned_ = prior->covariance(kYaw, kYaw) < square(kSettledYawSigma);
   refresh();
 }
@@ -70,7 +80,7 @@ void PseudorangeMixtureFilter::predict(const OdometryIncrement& u) {
   if (!usable(u)) return;
   last_ = u;
   if (bank_.empty()) return;
-  odometry_.add(u);
+  odometry_.add(u.from_range_rates ? OdometryIncrement{u.stamp, u.duration, 0.0, 0.0} : u);
   if (!standing(u)) moved_ += ground_speed(u) * u.duration;
   if (odometry_.duration() > kLongestFlush) {
     flush_odometry();
@@ -80,7 +90,7 @@ void PseudorangeMixtureFilter::predict(const OdometryIncrement& u) {
 
 void PseudorangeMixtureFilter::flush_odometry() {
   for (PseudorangeHypothesis& hypothesis : bank_) {
-    hypothesis.belief.propagate(odometry_, parameters_.odometry, parameters_.receiver, slots_);
+    hypothesis.propagate(odometry_, laws(), parameters_.odometry, parameters_.receiver, slots_);
   }
 }
 
@@ -107,7 +117,9 @@ Innovation PseudorangeMixtureFilter::weigh(const PseudorangeEpoch& epoch) {
     return refused(Reason::kTooFewSatellites);
   }
   if (rivals_due()) add_rivals(slotted_epoch);
-  for (PseudorangeHypothesis& hypothesis : bank_) hypothesis.update(slotted_epoch, parameters_.errors);
+  for (PseudorangeHypothesis& hypothesis : bank_) {
+    hypothesis.update(slotted_epoch, laws(), parameters_.errors);
+  }
   thin_out(bank_, parameters_.least_weight * rival_probability());
   refresh();
   update_agreement(slotted_epoch);
@@ -126,13 +138,15 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
   result.antenna_in_base = epoch.antenna_in_base;
   result.age = std::max(0.0, last_.stamp - epoch.stamp);
   result.duration = has_clock_ ? std::max(kLeastDuration, last_.stamp - last_epoch_) : kFirstDuration;
-  const double pace = moved_ / result.duration / kFullSpeed;
-  result.information = result.duration * (has_clock_ && !in_doubt() ? std::clamp(pace, kAtRest, 1.0) : 1.0);
+  const double change = pace(result.duration) / kFullSpeed;
+  result.information = result.duration * (has_clock_ && !in_doubt() ? std::clamp(change, kAtRest, 1.0) : 1.0);
   result.bias_variance = square(parameters_.receiver.bias_sigma);
-  result.speed = last_.speed;
-  result.lateral_speed = last_.lateral_speed;
-  result.yaw_rate = last_.yaw_rate;
-  const std::vector<SatelliteObservation> observations = usable_observations(epoch);
+  set_motion(result, last_);
+  std::vector<SatelliteObservation> observations = usable_observations(epoch);
+  signal_.add(observations, result.duration);
+  for (SatelliteObservation& observation : observations) observation.cn0 -= signal_.strong();
+  result.has_rates = std::any_of(observations.begin(), observations.end(),
+                                 [](const auto& observation) { return observation.has_doppler(); });
   follow(slots_.admit(owners_of(observations), last_.stamp));
   for (const SatelliteObservation& observation : observations) {
     const auto bias = slots_.find({observation.constellation, observation.satellite});
@@ -142,6 +156,7 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
     SlottedObservation satellite;
     satellite.observation = observation;
     satellite.prior = line_of_sight_prior(observation, parameters_.errors.mixture);
+    satellite.sigma = line_of_sight_sigma(observation, parameters_.errors);
     satellite.delay = mean_nlos_delay(observation.elevation, parameters_.errors.mixture);
     if (with_offset) satellite.offset_slot = *offset;
     satellite.bias_slot = *bias;
@@ -151,6 +166,17 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
   std::stable_sort(result.satellites.begin(), result.satellites.end(),
                    [](const auto& a, const auto& b) { return a.prior > b.prior; });
   return result;
+}
+
+double PseudorangeMixtureFilter::pace(double duration) const {
+  if (!last_.from_range_rates) return moved_ / duration;
+  if (bank_.empty()) return 0.0;
+  return heaviest().likeliest().mean.segment<2>(PseudorangeBelief::kVelocityEast).norm();
+}
+
+const PseudorangeHypothesis& PseudorangeMixtureFilter::heaviest() const {
+  return *std::max_element(bank_.begin(), bank_.end(),
+                           [](const auto& a, const auto& b) { return a.log_weight < b.log_weight; });
 }
 
 void PseudorangeMixtureFilter::follow(const std::vector<SatelliteSlots::Change>& changes) {
@@ -174,7 +200,7 @@ void PseudorangeMixtureFilter::update_agreement(const SlottedEpoch& epoch) {
   double found = 0.0;
   for (const SlottedObservation& satellite : epoch.satellites) expected += satellite.prior;
   const std::vector<double> weights = weights_of(bank_);
-  for (std::size_t i = 0; i < bank_.size(); ++i) found += weights[i] * bank_[i].line_of_sight_share;
+  for (std::size_t i = 0; i < bank_.size(); ++i) found += weights[i] * bank_[i].line_of_sight_share();
   found *= static_cast<double>(epoch.satellites.size());
   agreement_ += (found / expected - agreement_) * (1.0 - std::exp(-epoch.duration / kAgreementTime));
 }

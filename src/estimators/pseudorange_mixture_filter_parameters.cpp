@@ -2,6 +2,22 @@
 
 namespace multipath_localization {
 
+void RangeErrorParameters::fields(ParameterVisitor& field) {
+  field("range_sigma", range_sigma, {0.1, 100.0}, "m", "noise of a pseudorange in line of sight");
+  field("range_correlation_time", range_correlation_time, {0.0, 100.0}, "s",
+        "noise of ranges closer in time than this is one and the same, whatever the rate of the receiver");
+  field("evidence_time", evidence_time, {0.1, 1e3}, "s",
+        "multipath stays alike for this long: data of this duration count once in weighing hypotheses");
+  field("mode_time", mode_time, {0.1, 1e3}, "s",
+        "a satellite is in line of sight, or not, for this long; its residuals of this duration count once");
+  field("range_rate_sigma", range_rate_sigma, {0.01, 10.0}, "m/s", "noise of a range rate in line of sight");
+  field("range_rate_correlation_time", range_rate_correlation_time, {0.0, 100.0}, "s",
+        "like range_correlation_time");
+  field("clock_jump", clock_jump, {1.0, 1e6}, "m",
+        "the receiver clock jumped when most residuals are beyond this, and beyond five sigma");
+  mixture.fields(field);
+}
+
 void PseudorangeMixtureFilterParameters::fields(ParameterVisitor& field) {
   field("hypotheses", hypotheses, {1, 10000}, "1", "Kalman filters at the start; most are soon dropped");
   field("subsets", subsets, {1, 100000}, "1", "random subsets of satellites whose positions are tried");

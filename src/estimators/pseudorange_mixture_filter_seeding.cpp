@@ -15,15 +15,17 @@ constexpr double kLeastYawStrata = 12.0;
 constexpr std::uint32_t kSeeding = 0xFFFFFFFEU;  // random streams beside those of hypotheses
 constexpr double kSeedSigma = 5.0;               // [m]
 constexpr double kSeedLogScale = 3.0;            // tempers the choice of seeds: errors of one epoch mislead
+constexpr double kAnyYaw = 1.8;                  // of any heading [rad]
+constexpr double kAnySpeed = 10.0;               // of a robot without wheels [m/s]
 constexpr int kReseedPart = 4;                   // of the hypotheses at the start
 constexpr int kWatchPart = 8;                    // likewise, when aligned
 
 }  // namespace
 
-PseudorangeHypothesis PseudorangeMixtureFilter::unknown_hypothesis() const {
+PseudorangeBelief PseudorangeMixtureFilter::unknown_belief() const {
   using State = PseudorangeBelief;
-  PseudorangeHypothesis hypothesis;
-  auto& P = hypothesis.belief.covariance;
+  PseudorangeBelief belief;
+  auto& P = belief.covariance;
   P.diagonal().head<2>().setConstant(square(parameters_.start_sigma));
   P(kYaw, kYaw) = square(kPi / std::max(kLeastYawStrata, static_cast<double>(parameters_.hypotheses)));
   P(kScale, kScale) = square(parameters_.odometry.scale_sigma);
@@ -33,33 +35,38 @@ PseudorangeHypothesis PseudorangeMixtureFilter::unknown_hypothesis() const {
   P(State::kUp, State::kUp) = P(State::kClock, State::kClock) = up;
   P(State::kUp, State::kClock) = P(State::kClock, State::kUp) = kUpClockCorrelation * up;
   P(State::kDrift, State::kDrift) = square(parameters_.start_drift_sigma);
-  return hypothesis;
+  if (last_.from_range_rates) {
+    P(kYaw, kYaw) = square(kAnyYaw);
+    P.diagonal().segment<2>(State::kVelocityEast).setConstant(square(kAnySpeed));
+  }
+  return belief;
 }
 
 PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeSeed& seed, double yaw,
                                                               const Eigen::Vector2d& antenna_in_base) const {
   using State = PseudorangeBelief;
-  PseudorangeHypothesis hypothesis = has_clock_ || bank_.empty() ? unknown_hypothesis() : bank_.front();
+  PseudorangeBelief belief = has_clock_ || bank_.empty() ? unknown_belief() : bank_.front().likeliest();
   if (has_clock_ || bank_.empty()) {
-    hypothesis.belief.mean.head<2>() = seed.position.head<2>() - rotation(yaw) * antenna_in_base;
-    hypothesis.belief.mean(kYaw) = yaw;
+    belief.mean.head<2>() = seed.position.head<2>() - rotation(yaw) * antenna_in_base;
+    belief.mean(kYaw) = yaw;
   }
-  hypothesis.belief.mean(State::kUp) = seed.position.z();
-  hypothesis.belief.mean(State::kClock) = seed.clock;
+  belief.mean(State::kUp) = seed.position.z();
+  belief.mean(State::kClock) = seed.clock;
   for (int slot = 0; slot < slots_.size(); ++slot) {
     const SlotOwner& owner = slots_.owner(slot);
-    if (State::state_of(slot) == hypothesis.belief.mean.size()) hypothesis.append(unknown_variance(owner));
-    if (owner.satellite) continue;
-    hypothesis.belief.mean(State::state_of(slot)) =
-        seed.offset[static_cast<std::size_t>(owner.constellation)];
+    const int state = State::state_of(slot);
+    if (state == belief.mean.size()) belief.append(unknown_variance(owner));
+    if (!owner.satellite) belief.mean(state) = seed.offset[static_cast<std::size_t>(owner.constellation)];
   }
+  PseudorangeHypothesis hypothesis(belief, laws());
+  if (has_clock_ && !bank_.empty()) hypothesis.learn_from(heaviest());
   return hypothesis;
 }
 
 std::optional<AntennaPrior> PseudorangeMixtureFilter::antenna_prior(
     const Eigen::Vector2d& antenna_in_base) const {
   if (has_clock_ || bank_.empty()) return std::nullopt;
-  const FixPrediction prediction(bank_.front().belief.planar(), antenna_in_base);
+  const FixPrediction prediction(bank_.front().planar(), antenna_in_base);
   return AntennaPrior{prediction.antenna, prediction.antenna_covariance};
 }
 

@@ -13,13 +13,16 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kStandstillSpeed = 0.1;  // [m/s]
+constexpr double kLeastStandstill = 0.1;  // below it a velocity is none [m/s]
+constexpr double kMostStandstill = 1.5;   // above it it is one, however uncertain [m/s]
 constexpr double kStandstillSigmas = 5.0;
+constexpr double kSlow = 0.5;            // slower, the course is noise [m/s]
+constexpr double kFastestReverse = 4.0;  // [m/s]
 
 bool standing(const VelocitySample& sample) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(sample.covariance, Eigen::EigenvaluesOnly);
   const double sigma = std::sqrt(std::max(axes.eigenvalues().maxCoeff(), 0.0));
-  return sample.velocity.norm() < std::max(kStandstillSpeed, kStandstillSigmas * sigma);
+  return sample.velocity.norm() < std::clamp(kStandstillSigmas * sigma, kLeastStandstill, kMostStandstill);
 }
 
 /// Speed and heading of a robot that follows the velocity.
@@ -33,7 +36,11 @@ struct Track {
     if (standing(sample)) return;
     double course = std::atan2(sample.velocity.y(), sample.velocity.x());
     speed = sample.velocity.norm();
-    if (started && std::abs(angle_difference(course, heading)) > kPi / 2.0) {
+    if (started && speed < kSlow) {
+      speed = sample.velocity.dot(Eigen::Vector2d(std::cos(heading), std::sin(heading)));
+      return;
+    }
+    if (started && speed < kFastestReverse && std::abs(angle_difference(course, heading)) > kPi / 2.0) {
       course = wrap_angle(course + kPi);
       speed = -speed;
     }
@@ -73,12 +80,13 @@ std::vector<OdometryIncrement> odometry_of(const std::vector<VelocitySample>& sa
     const Track before = track;
     track.follow(samples[i]);
     if (i == 0) {
-      all.push_back({samples[i].stamp, kFirstInterval, track.speed, 0.0});
+      all.push_back({samples[i].stamp, kFirstInterval, track.speed, 0.0, 0.0, true});
       continue;
     }
     const double duration = samples[i].stamp - samples[i - 1].stamp;
     const double turn = before.started ? angle_difference(track.heading, before.heading) : 0.0;
-    all.push_back({samples[i].stamp, duration, 0.5 * (before.speed + track.speed), turn / duration});
+    all.push_back(
+        {samples[i].stamp, duration, 0.5 * (before.speed + track.speed), turn / duration, 0.0, true});
   }
   return all;
 }

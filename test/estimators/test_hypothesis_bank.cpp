@@ -8,11 +8,12 @@ namespace multipath_localization {
 namespace {
 
 PseudorangeHypothesis hypothesis(double x, double yaw, double log_weight) {
-  PseudorangeHypothesis result;
-  result.belief.mean(kX) = x;
-  result.belief.mean(kYaw) = yaw;
-  result.belief.covariance.diagonal().setConstant(1.0);
-  result.belief.covariance(kYaw, kYaw) = 0.01;
+  PseudorangeBelief belief;
+  belief.mean(kX) = x;
+  belief.mean(kYaw) = yaw;
+  belief.covariance.diagonal().setConstant(1.0);
+  belief.covariance(kYaw, kYaw) = 0.01;
+  PseudorangeHypothesis result(belief, laws_of_wheels());
   result.log_weight = log_weight;
   return result;
 }
@@ -28,7 +29,7 @@ TEST(HypothesisBank, ThinningDropsTheLightAndScalesTheRest) {
                                              hypothesis(40, 0, 99.0)};
   thin_out(bank, 1e-4);
   ASSERT_EQ(bank.size(), 2U);
-  EXPECT_EQ(bank[1].belief.mean(kX), 40.0);
+  EXPECT_EQ(bank[1].planar().mean(kX), 40.0);
   EXPECT_NEAR(std::exp(bank[0].log_weight) + std::exp(bank[1].log_weight), 1.0, 1e-12);
 }
 
@@ -38,19 +39,18 @@ TEST(HypothesisBank, OfTwoThatAgreeTheHeavierInherits) {
                                              hypothesis(0.0, 1.0, std::log(0.3))};
   thin_out(bank, 1e-4);
   ASSERT_EQ(bank.size(), 2U);
-  EXPECT_EQ(bank[0].belief.mean(kX), 0.0);
+  EXPECT_EQ(bank[0].planar().mean(kX), 0.0);
   EXPECT_NEAR(std::exp(bank[0].log_weight), 0.7, 1e-12);
   EXPECT_NEAR(std::exp(bank[1].log_weight), 0.3, 1e-12);
 }
 
 TEST(HypothesisBank, PlanarPartsCarryWeightAndMode) {
   std::vector<PseudorangeHypothesis> bank = {hypothesis(3.0, 0.5, 0.0)};
-  bank[0].line_of_sight_share = 0.2;
   const auto particles = planar(bank);
   ASSERT_EQ(particles.size(), 1U);
   EXPECT_EQ(particles[0].belief.mean(kX), 3.0);
   EXPECT_EQ(particles[0].belief.covariance(kYaw, kYaw), 0.01);
-  EXPECT_TRUE(particles[0].in_shadow);
+  EXPECT_FALSE(particles[0].in_shadow);
   EXPECT_NEAR(particles[0].weight, 1.0, 1e-12);
 }
 

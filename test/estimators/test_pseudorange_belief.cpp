@@ -13,6 +13,7 @@ using State = PseudorangeBelief;
 
 const OdometryNoise kOdometry;
 const ReceiverStateNoise kNoise;
+const MotionLaw kNoSlip{0.0, 1.0, 0.0, false};
 
 /// Some belief with two satellites and an offset, and everything correlated.
 PseudorangeBelief random_belief(std::uint64_t seed) {
@@ -71,7 +72,12 @@ TEST(PseudorangeBelief, PlanarPartMovesAsThatOfTheFixFilter) {
   for (int i = 1; i <= 20; ++i) odometry.add({0.1 * i, 0.1, 5.0, 0.3});
   ReceiverStateNoise noise;
   noise.position_walk = 0.0;
-  belief.propagate(odometry, kOdometry, noise, three_slots());
+  belief.mean.segment<2>(State::kVelocityEast).setZero();
+  for (const int v : {int(State::kVelocityEast), int(State::kVelocityNorth)}) {
+    belief.covariance.row(v).setZero();
+    belief.covariance.col(v).setZero();
+  }
+  belief.propagate(odometry, kNoSlip, kOdometry, noise, three_slots());
   planar.propagate(odometry, kOdometry);
   EXPECT_LT((belief.planar().mean - planar.mean).norm(), 1e-12);
   EXPECT_LT((belief.planar().covariance - planar.covariance).norm(), 1e-9);
@@ -83,7 +89,7 @@ TEST(PseudorangeBelief, ClockMovesByItsDriftAndBiasesDecay) {
   const State::Matrix P = belief.covariance;
   PreintegratedOdometry odometry(kOdometry);
   odometry.add({2.0, 2.0, 0.0, 0.0});
-  belief.propagate(odometry, kOdometry, kNoise, three_slots());
+  belief.propagate(odometry, kNoSlip, kOdometry, kNoise, three_slots());
   EXPECT_NEAR(belief.mean(State::kClock), x(State::kClock) + 2.0 * x(State::kDrift), 1e-12);
   EXPECT_NEAR(belief.covariance(State::kClock, State::kClock),
               P(State::kClock, State::kClock) + 4.0 * P(State::kClock, State::kDrift) +
@@ -93,6 +99,43 @@ TEST(PseudorangeBelief, ClockMovesByItsDriftAndBiasesDecay) {
   EXPECT_NEAR(belief.mean(State::state_of(0)), kept * x(State::state_of(0)), 1e-12);
   EXPECT_NEAR(belief.mean(State::state_of(1)), x(State::state_of(1)), 1e-12);
   EXPECT_NEAR(belief.covariance(kX, State::state_of(2)), kept * P(kX, State::state_of(2)), 1e-12);
+}
+
+/// Var[x(t)] of an Ornstein-Uhlenbeck velocity summed up in small steps.
+double summed_variance(const MotionLaw& law, double duration) {
+  const double dt = 1e-3;
+  Eigen::Matrix2d F;
+  F << 1.0, dt, 0.0, 1.0 - dt / law.velocity_time;
+  Eigen::Matrix2d P = Eigen::Matrix2d::Zero();
+  for (double t = 0.0; t < duration; t += dt) {
+    P = (F * P * F.transpose()).eval();
+    P(1, 1) += 2.0 * law.velocity_sigma * law.velocity_sigma / law.velocity_time * dt;
+  }
+  return P(0, 0);
+}
+
+TEST(PseudorangeBelief, UnseenVelocityMovesThePositionAndDecays) {
+  const MotionLaw law{0.75, 2.0, 0.1, true};
+  PseudorangeBelief belief;
+  belief.mean(State::kVelocityEast) = 1.0;
+  PreintegratedOdometry odometry(kOdometry);
+  odometry.add({3.0, 3.0, 0.0, 0.0});
+  belief.propagate(odometry, law, kOdometry, kNoise, SatelliteSlots());
+  EXPECT_NEAR(belief.mean(State::kVelocityEast), std::exp(-1.5), 1e-12);
+  EXPECT_NEAR(belief.mean(kX), 2.0 * (1.0 - std::exp(-1.5)), 1e-12);
+  EXPECT_EQ(belief.mean(kY), 0.0);
+  EXPECT_NEAR(belief.covariance(kY, kY) / summed_variance(law, 3.0), 1.0, 0.01);
+  EXPECT_NEAR(belief.covariance(kYaw, kYaw), 0.03, 1e-12);
+}
+
+TEST(PseudorangeBelief, AtRestNothingSlipsButWhereTheOdometryMayBeDead) {
+  PreintegratedOdometry odometry(kOdometry);
+  odometry.add({3.0, 3.0, 0.0, 0.0});
+  for (const bool always : {false, true}) {
+    PseudorangeBelief belief;
+    belief.propagate(odometry, {0.75, 2.0, 0.1, always}, kOdometry, kNoise, SatelliteSlots());
+    EXPECT_EQ(belief.covariance(kX, kX) > 0.0, always);
+  }
 }
 
 TEST(PseudorangeBelief, SlotsComeAndGoWithoutTouchingTheOthers) {
@@ -120,7 +163,7 @@ TEST(PseudorangeBelief, CovarianceStaysSymmetricAndPositiveForSixHours) {
   for (int second = 0; second < 6 * 3600; ++second) {
     odometry.restart(belief.mean(kScale), belief.mean(kGyroBias));
     odometry.add({1.0 * second, 1.0, 5.0, 0.1});
-    belief.propagate(odometry, kOdometry, kNoise, slots);
+    belief.propagate(odometry, laws_of_wheels().laws[0], kOdometry, kNoise, slots);
     for (int k = 0; k < 12; ++k) {
       const SparseRow H = random_row(random);
       const State::Vector PHt = belief.covariance_with(H);

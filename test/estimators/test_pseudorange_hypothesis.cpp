@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "multipath_localization/estimators/pseudorange_hypothesis.hpp"
 #include "satellite_drive.hpp"
 
@@ -9,122 +11,109 @@ namespace {
 using State = PseudorangeBelief;
 
 const RangeErrorParameters kErrors;
+const OdometryNoise kOdometry;
+const ReceiverStateNoise kNoise;
 
-/// A hypothesis that knows everything about a drive, to these standard deviations.
-PseudorangeHypothesis knowing(const SatelliteDrive& drive, double position_sigma, double yaw_sigma) {
-  PseudorangeHypothesis hypothesis;
-  auto& x = hypothesis.belief.mean;
-  auto& P = hypothesis.belief.covariance;
-  x << drive.truth.x, drive.truth.y, drive.truth.yaw, drive.errors.speed_scale, drive.errors.gyro_bias,
-      drive.up, drive.clock, drive.drift;
-  P.diagonal() << position_sigma * position_sigma, position_sigma * position_sigma, yaw_sigma * yaw_sigma,
-      1e-6, 1e-8, 4.0, 4.0, 0.01;
-  for (std::size_t i = 0; i <= drive.sky.size(); ++i) hypothesis.append(0.01);
-  x(State::state_of(0)) = drive.offset;
-  return hypothesis;
-}
-
-/// The drive's epoch; slot 0 is the offset, slot i + 1 satellite i.
-SlottedEpoch slotted(const SatelliteDrive& drive, double speed) {
-  const PseudorangeEpoch epoch = drive.epoch();
-  SlottedEpoch result;
-  result.antenna_in_base = epoch.antenna_in_base;
-  result.duration = result.information = 1.0;
-  result.speed = speed;
-  for (std::size_t i = 0; i < epoch.observations.size(); ++i) {
-    const SatelliteObservation& observation = epoch.observations[i];
-    const bool gps = observation.constellation == Constellation::kGps;
-    result.satellites.push_back({observation, static_cast<int>(i) + 1, gps ? -1 : 0,
-                                 line_of_sight_prior(observation, kErrors.mixture),
-                                 mean_nlos_delay(observation.elevation, kErrors.mixture)});
+/// A hypothesis that knows where it is, and drives along by odometry that may slip.
+class KnownDrive {
+ public:
+  explicit KnownDrive(std::uint64_t seed) : drive_(seed), hypothesis_(known()) {
+    drive_.doppler = true;
+    for (const SatelliteObservation& satellite : drive_.sky) {
+      if (satellite.constellation != Constellation::kGps) add({satellite.constellation, std::nullopt}, 225.0);
+    }
+    for (const SatelliteObservation& satellite : drive_.sky) {
+      add({satellite.constellation, satellite.satellite}, 4.0);
+    }
   }
-  return result;
-}
 
-double position_error(const PseudorangeHypothesis& hypothesis, const SatelliteDrive& drive) {
-  return (hypothesis.belief.pose().position() - drive.truth.position()).norm();
-}
-
-TEST(PseudorangeHypothesis, ComesToTheTruth) {
-  SatelliteDrive drive(1);
-  drive.range_sigma = 0.0;
-  PseudorangeHypothesis hypothesis = knowing(drive, 10.0, 0.01);
-  hypothesis.belief.mean(kX) += 8.0;
-  hypothesis.belief.mean(kY) -= 6.0;
-  for (int i = 0; i < 5; ++i) hypothesis.update(slotted(drive, 0.0), kErrors);
-  EXPECT_LT(position_error(hypothesis, drive), 0.3);
-  EXPECT_GT(hypothesis.line_of_sight_share, 0.9);
-}
-
-TEST(PseudorangeHypothesis, IsNotMovedByLateSignals) {
-  SatelliteDrive drive(2);
-  drive.range_sigma = 0.0;
-  drive.delayed = {0, 1, 2, 3, 8};
-  PseudorangeHypothesis hypothesis = knowing(drive, 5.0, 0.01);
-  for (int i = 0; i < 5; ++i) hypothesis.update(slotted(drive, 0.0), kErrors);
-  EXPECT_LT(position_error(hypothesis, drive), 0.3);
-  EXPECT_NEAR(hypothesis.line_of_sight_share, 8.0 / 13.0, 0.05);
-  EXPECT_LT(hypothesis.chain[1], 0.1);
-  EXPECT_GT(hypothesis.chain[7], 0.8);
-}
-
-TEST(PseudorangeHypothesis, EvidenceTellsRightFromWrong) {
-  SatelliteDrive drive(3);
-  PseudorangeHypothesis right = knowing(drive, 2.0, 0.01);
-  PseudorangeHypothesis wrong = right;
-  wrong.belief.mean(kX) += 30.0;
-  right.update(slotted(drive, 0.0), kErrors);
-  wrong.update(slotted(drive, 0.0), kErrors);
-  EXPECT_GT(right.log_weight, wrong.log_weight + 0.5);
-}
-
-TEST(PseudorangeHypothesis, FollowsTheClockWhenItJumps) {
-  for (const double jump : {-299792.458, -200.0, 200.0, 299792.458}) {
-    SatelliteDrive drive(4);
-    drive.delayed = {0, 8};
-    PseudorangeHypothesis hypothesis = knowing(drive, 2.0, 0.01);
-    drive.clock += jump;
-    for (int i = 0; i < 3; ++i) hypothesis.update(slotted(drive, 0.0), kErrors);
-    EXPECT_NEAR(hypothesis.belief.mean(State::kClock), drive.clock, 3.0);
-    EXPECT_LT(position_error(hypothesis, drive), 3.0);
+  /// For `seconds`, the odometry saying `scale` of the true speed.
+  void run(int seconds, double scale) {
+    for (int i = 0; i < seconds; ++i) {
+      PreintegratedOdometry odometry(kOdometry);
+      odometry.restart(hypothesis_.likeliest().mean(kScale), hypothesis_.likeliest().mean(kGyroBias));
+      for (int k = 0; k < 10; ++k) {
+        OdometryIncrement u = drive_.drive();
+        u.speed *= scale;
+        odometry.add(u);
+      }
+      hypothesis_.propagate(odometry, laws_of_wheels(), kOdometry, kNoise, slots_);
+      hypothesis_.update(epoch(scale), laws_of_wheels(), kErrors);
+    }
   }
+
+  [[nodiscard]] double error() const {
+    return (hypothesis_.planar().pose().position() - drive_.truth.position()).norm();
+  }
+  [[nodiscard]] const PseudorangeHypothesis& hypothesis() const { return hypothesis_; }
+
+ private:
+  [[nodiscard]] PseudorangeHypothesis known() const {
+    PseudorangeBelief belief;
+    belief.mean << drive_.truth.x, drive_.truth.y, drive_.truth.yaw, drive_.errors.speed_scale,
+        drive_.errors.gyro_bias, drive_.up, drive_.clock, drive_.drift, 0.0, 0.0;
+    belief.covariance.diagonal() << 4.0, 4.0, 1e-4, 1e-6, 1e-8, 4.0, 4.0, 0.01, 1e-4, 1e-4;
+    return {belief, laws_of_wheels()};
+  }
+
+  void add(const SlotOwner& owner, double variance) {
+    for (const auto& change : slots_.admit({owner}, 0.0)) {
+      if (change.appended == owner) hypothesis_.append(variance);
+    }
+  }
+
+  [[nodiscard]] SlottedEpoch epoch(double scale) const {
+    SlottedEpoch result;
+    const PseudorangeEpoch measured = drive_.epoch();
+    result.antenna_in_base = measured.antenna_in_base;
+    result.duration = result.information = 1.0;
+    result.has_rates = true;
+    result.speed = scale * drive_.speed;
+    result.yaw_rate = 0.25 * std::sin(0.15 * drive_.time);
+    for (const SatelliteObservation& observation : measured.observations) {
+      SlottedObservation satellite;
+      satellite.observation = observation;
+      satellite.prior = 0.9;
+      satellite.bias_slot = *slots_.find({observation.constellation, observation.satellite});
+      if (observation.constellation != Constellation::kGps) {
+        satellite.offset_slot = *slots_.find({observation.constellation, std::nullopt});
+      }
+      result.satellites.push_back(satellite);
+    }
+    return result;
+  }
+
+  SatelliteDrive drive_;
+  SatelliteSlots slots_;
+  PseudorangeHypothesis hypothesis_;
+};
+
+TEST(PseudorangeHypothesis, BelievesOdometryThatHolds) {
+  KnownDrive run(1);
+  run.run(60, 1.0);
+  EXPECT_LT(run.error(), 2.0);
+  EXPECT_LT(run.hypothesis().probabilities()[3], 0.05);
+  EXPECT_GT(run.hypothesis().line_of_sight_share(), 0.8);
 }
 
-TEST(PseudorangeHypothesis, CountsTheClockBackByTheAgeOfTheEpoch) {
-  SatelliteDrive drive(5);
-  drive.range_sigma = 0.0;
-  PseudorangeHypothesis hypothesis = knowing(drive, 2.0, 0.01);
-  SlottedEpoch epoch = slotted(drive, 0.0);
-  epoch.age = 0.5;
-  hypothesis.belief.mean(State::kClock) += 0.5 * drive.drift;
-  const double before = hypothesis.belief.mean(State::kClock);
-  hypothesis.update(epoch, kErrors);
-  EXPECT_NEAR(hypothesis.belief.mean(State::kClock), before, 0.01);
+TEST(PseudorangeHypothesis, GivesUpOdometryThatDiesAndTakesItBack) {
+  KnownDrive run(2);
+  run.run(30, 1.0);
+  run.run(15, 0.0);
+  EXPECT_GT(run.hypothesis().probabilities()[2] + run.hypothesis().probabilities()[3], 0.5);
+  EXPECT_LT(run.error(), 6.0);
+  run.run(40, 1.0);
+  EXPECT_LT(run.hypothesis().probabilities()[3], 0.2);
+  EXPECT_LT(run.error(), 3.0);
 }
 
-TEST(PseudorangeHypothesis, RangeRatesTellTheHeading) {
-  SatelliteDrive drive(6);
-  drive.doppler = true;
-  for (int i = 0; i < 10; ++i) drive.drive();
-  PseudorangeHypothesis hypothesis = knowing(drive, 2.0, 0.3);
-  hypothesis.belief.mean(kYaw) += 0.3;
-  SlottedEpoch epoch = slotted(drive, drive.speed);
-  epoch.yaw_rate = 0.25 * std::sin(0.15 * drive.time);
-  for (int i = 0; i < 5; ++i) hypothesis.update(epoch, kErrors);
-  EXPECT_NEAR(hypothesis.belief.mean(kYaw), drive.truth.yaw, 0.05);
-  EXPECT_LT(hypothesis.belief.covariance(kYaw, kYaw), 0.05 * 0.05);
-}
-
-TEST(PseudorangeHypothesis, SlotsKeepTheirChains) {
-  SatelliteDrive drive(7);
-  drive.delayed = {12};
-  PseudorangeHypothesis hypothesis = knowing(drive, 2.0, 0.01);
-  hypothesis.update(slotted(drive, 0.0), kErrors);
-  const double last = hypothesis.chain[13];
-  hypothesis.remove(2);
-  EXPECT_EQ(hypothesis.chain[2], last);
-  hypothesis.append(16.0);
-  EXPECT_LT(hypothesis.chain[13], 0.0);
+TEST(PseudorangeHypothesis, PlanarPartHasTheMomentsOfAllLaws) {
+  KnownDrive run(3);
+  run.run(10, 1.0);
+  double sum = 0.0;
+  for (const double probability : run.hypothesis().probabilities()) sum += probability;
+  EXPECT_NEAR(sum, 1.0, 1e-4);
+  EXPECT_GT(run.hypothesis().planar().covariance(kX, kX), 0.0);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ std::vector<SatelliteObservation> delayed_sky(const std::vector<std::size_t>& de
     sky[i].pseudorange += 60.0;
     sky[i].cn0 = 38.0;
   }
+  for (SatelliteObservation& satellite : sky) satellite.cn0 -= 48.0;  // against strong signals
   return sky;
 }
 

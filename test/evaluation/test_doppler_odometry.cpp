@@ -86,6 +86,20 @@ TEST(DopplerOdometry, AParkedReceiverDoesNotMove) {
   }
 }
 
+TEST(DopplerOdometry, AnUncertainVelocityIsNoStandstill) {
+  std::vector<VelocitySample> samples;
+  for (int i = 0; i < 10; ++i) samples.push_back(sample(i * kStep, 10.0, 0.3, 4.0));
+  const std::vector<OdometryIncrement> odometry = odometry_of(samples);
+  EXPECT_NEAR(odometry.back().speed, 10.0, 1e-9);
+  EXPECT_TRUE(odometry.back().from_range_rates);
+}
+
+TEST(DopplerOdometry, FastRobotsDoNotReverse) {
+  const std::vector<OdometryIncrement> odometry =
+      odometry_of({sample(0.0, 8.0, 0.0), sample(1.0, 8.0, 2.0), sample(2.0, 8.0, 2.0)});
+  EXPECT_NEAR(odometry.back().speed, 8.0, 1e-9);
+}
+
 TEST(DopplerOdometry, AStopKeepsTheHeading) {
   std::vector<VelocitySample> samples;
   for (int i = 0; i < 10; ++i) samples.push_back(sample(i * kStep, 1.0, 0.3));

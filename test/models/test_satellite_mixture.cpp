@@ -64,17 +64,17 @@ TEST(ExponentiallyModifiedGaussian, IsFiniteAndMonotonicInBothFarTails) {
 
 TEST(LineOfSightPrior, RisesWithCn0AndElevation) {
   double last = 0.0;
-  for (const double cn0 : {36.0, 38.0, 40.0, 42.0}) {
+  for (const double cn0 : {-12.0, -10.0, -8.0, -6.0}) {
     const double prior = line_of_sight_prior(observation(cn0, 0.6), kParameters);
     EXPECT_GT(prior, last);
     EXPECT_GT(line_of_sight_prior(observation(cn0, 1.2), kParameters), prior);
     last = prior;
   }
-  EXPECT_NEAR(line_of_sight_prior(observation(40.0, kPi / 6.0), kParameters), 0.5, 1e-9);
+  EXPECT_NEAR(line_of_sight_prior(observation(kParameters.cn0_midpoint, kPi / 6.0), kParameters), 0.5, 1e-9);
 }
 
 TEST(LineOfSightPrior, IsNeverCertainAndTakesAnUntoldCn0) {
-  EXPECT_GT(line_of_sight_prior(observation(0.0, 0.0), kParameters), 0.0);
+  EXPECT_GT(line_of_sight_prior(observation(-60.0, 0.0), kParameters), 0.0);
   EXPECT_LT(line_of_sight_prior(observation(99.0, 1.5), kParameters), 1.0);
   EXPECT_NEAR(line_of_sight_prior(observation(SatelliteObservation::kUnknown, kPi / 6.0), kParameters), 0.5,
               1e-9);

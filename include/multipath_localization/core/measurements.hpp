@@ -20,6 +20,8 @@ struct OdometryIncrement {
   double speed = 0.0;          ///< along x of the base, negative in reverse [m/s]
   double yaw_rate = 0.0;       ///< counter-clockwise [rad/s]
   double lateral_speed = 0.0;  ///< along y of the base, to the left; 0 but for omnidirectional bases [m/s]
+  /// Made of the range rates of epochs, for want of wheels: nothing new to who uses those themselves.
+  bool from_range_rates = false;
 };
 
 /// Speed over ground, whatever its direction [m/s].

@@ -5,6 +5,7 @@
 
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/estimators/belief.hpp"
+#include "multipath_localization/estimators/motion_law.hpp"
 #include "multipath_localization/estimators/satellite_slots.hpp"
 #include "multipath_localization/models/preintegrated_odometry.hpp"
 
@@ -51,10 +52,11 @@ class SparseRow {
 
 /// Gaussian over what pseudoranges and odometry depend on: x, y [m] and yaw [rad] of the base in map, speed
 /// scale [1] and gyro bias [rad/s] of the odometry, height of the antenna in map [m], receiver clock against
-/// GPS time [m] and its drift [m/s], and one number in metres for each slot: the slowly varying bias of a
-/// satellite in line of sight, or the offset of another constellation's clock. Storage is of fixed size.
+/// GPS time [m] and its drift [m/s], the velocity in map that the odometry does not see, east and north
+/// [m/s], and one number in metres for each slot: the slowly varying bias of a satellite in line of sight, or
+/// the offset of another constellation's clock. Storage is of fixed size.
 struct PseudorangeBelief {
-  enum State : int { kUp = kGyroBias + 1, kClock, kDrift, kFixed };
+  enum State : int { kUp = kGyroBias + 1, kClock, kDrift, kVelocityEast, kVelocityNorth, kFixed };
   static constexpr int kMaxSize = kFixed + SatelliteSlots::kCapacity;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSize, 1>;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxSize, kMaxSize>;
@@ -73,9 +75,10 @@ struct PseudorangeBelief {
   /// Without a slot; the last one moves into its place.
   void remove(int slot);
 
-  /// Moves on by the odometry summed up since the last call.
-  void propagate(const PreintegratedOdometry& odometry, const OdometryNoise& odometry_noise,
-                 const ReceiverStateNoise& noise, const SatelliteSlots& slots);
+  /// Moves on by the odometry summed up since the last call, and by the unseen velocity as the law has it.
+  void propagate(const PreintegratedOdometry& odometry, const MotionLaw& law,
+                 const OdometryNoise& odometry_noise, const ReceiverStateNoise& noise,
+                 const SatelliteSlots& slots);
 
   /// P H' of size n x 1.
   [[nodiscard]] Vector covariance_with(const SparseRow& H) const;
@@ -86,6 +89,10 @@ struct PseudorangeBelief {
   void renew(int state, double value, double variance);
 
  private:
+  /// The unseen velocity moves the position over `dt` [s] and decays, an Ornstein-Uhlenbeck process.
+  void slip(double dt, const MotionLaw& law);
+  /// The unseen velocity ends with that of the wheels, which stand for `dt` [s].
+  void settle(double dt);
   /// Biases decay, offsets walk.
   void change_slots(double dt, const ReceiverStateNoise& noise, const SatelliteSlots& slots);
   /// Q of the fixed states; R turns from the base at the start of the sum to map.

@@ -10,6 +10,7 @@
 #include "multipath_localization/estimators/pseudorange_hypothesis.hpp"
 #include "multipath_localization/estimators/pseudorange_seeding.hpp"
 #include "multipath_localization/estimators/satellite_slots.hpp"
+#include "multipath_localization/estimators/signal_scale.hpp"
 
 namespace multipath_localization {
 
@@ -22,8 +23,8 @@ struct PseudorangeMixtureFilterParameters {
   double least_weight = 0.03;
   double reseed_interval = 2.0;
   double reseed_probability = 0.005;
-  double watch_interval = 15.0;
-  double watch_probability = 1e-4;
+  double watch_interval = 5.0;
+  double watch_probability = 1e-3;
   double align_probability = 0.95;
   double align_distance = 20.0;
   double least_agreement = 0.4;
@@ -41,8 +42,11 @@ struct PseudorangeMixtureFilterParameters {
 /// clock and offsets between constellations unknown.
 ///
 /// Goes on from [SUZ], which decides for each particle which satellites are in line of sight by thresholds on
-/// residuals against one reference satellite. Here each hypothesis is an extended Kalman filter over pose,
-/// constants of the odometry, height, clock and one bias for each satellite, and whether a satellite is in
+/// residuals against one reference satellite. Here each hypothesis is a bank of extended Kalman filters, one
+/// for each law of how far the odometry can be trusted, over pose, constants of the odometry, height, clock,
+/// velocity that the odometry does not see and one bias for each satellite. How large the errors of ranges,
+/// range rates and biases are it learns, and C/N0 counts against the receiver's own strong signals. Without
+/// wheels, where the motion is that of the range rates, these alone move it. Whether a satellite is in
 /// line of sight is a probability: a mixture of a Gaussian and a Gaussian with exponential delay, with a
 /// prior from C/N0 and elevation and a memory. Hypotheses start at positions by random subsets of satellites
 /// and at headings all round the circle; evidence weighs them, and those that lose are dropped. New ones are
@@ -65,7 +69,7 @@ class PseudorangeMixtureFilter : public Estimator {
   /// Adds `count` hypotheses at random, which share `probability`; at the start they are the first. False
   /// when the epoch does not allow any.
   bool seed(const SlottedEpoch& epoch, int count, double probability);
-  [[nodiscard]] PseudorangeHypothesis unknown_hypothesis() const;
+  [[nodiscard]] PseudorangeBelief unknown_belief() const;
   [[nodiscard]] PseudorangeHypothesis hypothesis_at(const PseudorangeSeed& seed, double yaw,
                                                     const Eigen::Vector2d& antenna_in_base) const;
   [[nodiscard]] std::optional<AntennaPrior> antenna_prior(const Eigen::Vector2d& antenna_in_base) const;
@@ -75,6 +79,12 @@ class PseudorangeMixtureFilter : public Estimator {
   /// Of the state of this owner while nothing is known of it [m^2].
   [[nodiscard]] double unknown_variance(const SlotOwner& owner) const;
   void flush_odometry();
+  [[nodiscard]] const MotionLaws& laws() const {
+    return last_.from_range_rates ? laws_without_wheels() : laws_of_wheels();
+  }
+  [[nodiscard]] const PseudorangeHypothesis& heaviest() const;
+  /// Speed of the robot [m/s] by the odometry of `duration` [s], or by the heaviest hypothesis without one.
+  [[nodiscard]] double pace(double duration) const;
   void refresh();
   void update_agreement(const SlottedEpoch& epoch);
   void update_alignment();
@@ -99,6 +109,7 @@ class PseudorangeMixtureFilter : public Estimator {
   DominantCluster cluster_;         ///< of the bank as it is
   DominantCluster place_;           ///< likewise, whatever the heading
   PreintegratedOdometry odometry_;  ///< since the bank was last moved
+  SignalScale signal_;
   OdometryIncrement last_;
   double last_epoch_ = 0.0;
   double last_seeding_ = 0.0;

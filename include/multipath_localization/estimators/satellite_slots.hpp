@@ -22,7 +22,7 @@ struct SlotOwner {
 /// all hypotheses of a bank, which follow each change.
 class SatelliteSlots {
  public:
-  static constexpr int kCapacity = 40;
+  static constexpr int kCapacity = 64;
 
   /// What hypotheses do too: take this slot back, the last one moving into its place; or give one more, the
   /// last.

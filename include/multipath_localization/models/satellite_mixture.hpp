@@ -8,7 +8,7 @@ namespace multipath_localization {
 /// What one pseudorange is: measured along the line of sight (LOS), or late over a reflection or round an
 /// edge (NLOS), as [SUZ] tells the two apart; here by probabilities instead of thresholds.
 struct SatelliteMixtureParameters {
-  double cn0_midpoint = 40.0;
+  double cn0_midpoint = -8.0;
   double cn0_width = 2.2;
   double elevation_weight = 3.0;
   double nlos_delay = 40.0;
