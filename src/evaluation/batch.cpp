@@ -32,6 +32,7 @@ void run_over(const Scenario& scenario, const Batch& batch, const EstimatorFacto
 }  // namespace
 
 void rate(const Drive& drive, const Batch& batch, RunRecord& run) {
+  if (drive.truth.empty()) return;
   const double from = drive.start() + batch.score_from;
   run.score = score(run.epochs, from);
   run.longest_off = longest_off(run.epochs, from, batch.off_from);

@@ -92,6 +92,20 @@ std::optional<PosePrior> prior_of(const Drive& drive) {
   return known_start(stamp, truth->base_in_map);
 }
 
+constexpr double kBetweenInstants = 0.1;  ///< of the estimates on a drive without truth [s]
+
+/// When the estimate is asked for: where truth is or, without any, along the odometry.
+std::vector<TruthSample> instants_of(const Drive& drive) {
+  if (!drive.truth.empty()) return drive.truth;
+  std::vector<TruthSample> instants;
+  for (const OdometryIncrement& u : drive.odometry) {
+    if (!instants.empty() && u.stamp - instants.back().stamp < kBetweenInstants) continue;
+    instants.emplace_back();
+    instants.back().stamp = u.stamp;
+  }
+  return instants;
+}
+
 }  // namespace
 
 PosePrior known_start(double stamp, const Pose2& base_in_map) {
@@ -124,12 +138,13 @@ std::vector<Epoch> run_drive(const Drive& drive, const EstimatorFactory& make, c
   Localizer localizer(make(), settings.localizer);
   localizer.start(settings.known_start ? prior_of(drive) : std::nullopt);
   Replay replay(drive, localizer, fate);
+  const std::vector<TruthSample> instants = instants_of(drive);
   std::vector<Epoch> epochs;
-  for (const TruthSample& truth : drive.truth) {
+  for (const TruthSample& truth : instants) {
     replay.advance_to(truth.stamp);
     epochs.push_back(epoch_of(localizer.estimate(), truth, replay.last()));
     if (progress && epochs.size() % 64 == 0) {
-      progress(static_cast<double>(epochs.size()) / static_cast<double>(drive.truth.size()));
+      progress(static_cast<double>(epochs.size()) / static_cast<double>(instants.size()));
     }
   }
   replay.advance_to(std::numeric_limits<double>::max());

@@ -49,6 +49,18 @@ std::vector<TimedError> fix_errors(const Drive& drive, double start) {
   return errors;
 }
 
+/// Errors of the position, none without truth [m].
+std::vector<TimedError> position_errors(const std::vector<Epoch>& epochs, const Drive& drive) {
+  if (drive.truth.empty()) return {};
+  std::vector<TimedError> errors;
+  errors.reserve(epochs.size());
+  for (const Epoch& epoch : epochs) {
+    const Eigen::Vector2d off = epoch.estimate.position() - epoch.truth.base_in_map.position();
+    errors.push_back({epoch.truth.stamp - drive.start(), off.norm()});
+  }
+  return errors;
+}
+
 /// Errors of the heading where truth has one [deg].
 std::vector<TimedError> heading_errors(const std::vector<Epoch>& epochs, double start) {
   std::vector<TimedError> errors;
@@ -81,7 +93,8 @@ void write_drive(std::ostream& out, const Drive& drive, double start) {
   out << "}";
 }
 
-void write_run(std::ostream& out, const RunRecord& run, double start) {
+void write_run(std::ostream& out, const RunRecord& run, const Drive& drive) {
+  const double start = drive.start();
   std::vector<Epoch> valid;
   for (const Epoch& epoch : run.epochs) {
     if (epoch.valid) valid.push_back(epoch);
@@ -98,10 +111,9 @@ void write_run(std::ostream& out, const RunRecord& run, double start) {
   out << ", ";
   write_array(out, "y", valid, [](const Epoch& e) { return e.estimate.y; });
   out << ", ";
-  write_array(out, "error", valid,
-              [](const Epoch& e) { return (e.estimate.position() - e.truth.base_in_map.position()).norm(); });
-  out << ", ";
   write_array(out, "sigma", valid, [](const Epoch& e) { return std::sqrt(e.position_covariance.trace()); });
+  out << ", ";
+  write_errors(out, "errors", position_errors(valid, drive));
   out << ", ";
   write_errors(out, "heading_errors_deg", heading_errors(valid, start));
   out << "}";
@@ -126,7 +138,7 @@ std::string to_trace(const std::string& title, const Stream& stream, const std::
   out << ", \"runs\": [";
   for (const RunRecord* run : drawn) {
     if (run != drawn.front()) out << ", ";
-    write_run(out, *run, drive->start());
+    write_run(out, *run, *drive);
   }
   out << "]}\n";
   return out.str();

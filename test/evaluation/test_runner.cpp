@@ -51,6 +51,17 @@ TEST(RunDrive, WithoutKnownStartTheFirstFixIsNeeded) {
   EXPECT_NEAR(epochs[4].estimate.x, 4.0, 1e-12);
 }
 
+TEST(RunDrive, WithoutTruthItAsksAlongTheOdometry) {
+  Drive drive = straight_drive(4);
+  drive.truth.clear();
+  drive.measurements = {fix(2.0, 2.0)};
+  const std::vector<Epoch> epochs = run_drive(drive, dead_reckoning(), {});
+  ASSERT_EQ(epochs.size(), 4u);
+  EXPECT_FALSE(epochs[0].valid);
+  EXPECT_NEAR(epochs[3].estimate.x, 4.0, 1e-12);
+  EXPECT_EQ(epochs[3].truth.stamp, 4.0);
+}
+
 TEST(RunDrive, FixesCountInTheOrderOfTheirArrival) {
   Drive drive = straight_drive(5);
   drive.measurements = {fix(2.0, 2.0), fix(3.0, 3.0), fix(1.5, 3.5)};

@@ -25,7 +25,7 @@ TEST(ToTrace, CountsTimeFromTheStartAndLeavesOutWhatIsNotValid) {
   EXPECT_EQ(trace["truth"]["shadow"].as<std::vector<int>>(), (std::vector<int>{1, 0}));
   ASSERT_EQ(trace["runs"].size(), 1u);
   EXPECT_EQ(trace["runs"][0]["t"].as<std::vector<double>>(), std::vector<double>{1.0});
-  EXPECT_EQ(trace["runs"][0]["error"].as<std::vector<double>>(), std::vector<double>{5.0});
+  EXPECT_EQ(trace["runs"][0]["errors"]["error"].as<std::vector<double>>(), std::vector<double>{5.0});
   EXPECT_TRUE(trace["runs"][0]["rmse"].IsNull());
 }
 
@@ -51,6 +51,21 @@ TEST(ToTrace, MeasuresFixesAtTheirAntennasAndHeadingsRoundTheCircle) {
   ASSERT_EQ(trace["fix_errors"]["error"].size(), 1u);
   EXPECT_NEAR(trace["fix_errors"]["error"][0].as<double>(), 0.1, 1e-9);
   EXPECT_NEAR(trace["runs"][0]["heading_errors_deg"]["error"][0].as<double>(), 0.2 * 180.0 / kPi, 1e-6);
+}
+
+TEST(ToTrace, DrawsTheWayOfADriveWithoutTruth) {
+  Drive drive;
+  drive.odometry = {{101.0, 1.0, 0.0, 0.0}};
+  RunRecord run;
+  run.epochs.resize(1);
+  run.epochs[0].truth.stamp = 101.0;
+  run.epochs[0].valid = true;
+  run.epochs[0].estimate = {4.0, 6.0, 0.0};
+
+  const YAML::Node trace = YAML::Load(to_trace("title", drive, {run}));
+  EXPECT_EQ(trace["runs"][0]["x"].as<std::vector<double>>(), std::vector<double>{4.0});
+  EXPECT_EQ(trace["runs"][0]["errors"]["t"].size(), 0u);
+  EXPECT_EQ(trace["truth"]["t"].size(), 0u);
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 
 namespace multipath_localization {
 
-/// One truth sample and what the estimator held at that instant.
+/// One instant and what the estimator held then.
 struct Epoch {
-  TruthSample truth;
+  TruthSample truth;           ///< of a drive without truth its stamp alone counts
   bool valid = false;  ///< whether the estimator claimed to know anything; nothing below counts otherwise
   bool aligned = false;
   Pose2 estimate;  ///< base in map
