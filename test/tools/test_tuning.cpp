@@ -40,9 +40,15 @@ TEST(Tuning, PicksTheOpenSkyOfAStreet) {
   EXPECT_LT(tuning.fit.yaw.low, 0.0028);  // 0.02 rad/s at 50 Hz
   EXPECT_GT(tuning.fit.yaw.high, 0.0028);
   EXPECT_LT(tuning.fit.yaw.high, 0.02);
-  EXPECT_LT(tuning.fit.delay.low, 0.0);  // fixes are late, their stamps are right
-  EXPECT_GT(tuning.fit.delay.high, 0.0);
   EXPECT_NO_THROW(filter_parameters(to_yaml(tuning)));
+}
+
+TEST(Tuning, ClaimsNoDelayWhereAnAntennaElsewhereExplainsItAsWell) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const Tuning tuning = tune(street(seed));  // fixes are late, their stamps are right
+    EXPECT_FALSE(tuning.fit.delay.low > 0.0 || tuning.fit.delay.high < 0.0) << "seed " << seed;
+    EXPECT_EQ(gnss_parameters(to_yaml(tuning)).delay, 0.0);
+  }
 }
 
 TEST(Tuning, WritesADelayThatIsOne) {

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/models/odometry_motion.hpp"
 #include "multipath_localization/models/standstill.hpp"
 
@@ -225,13 +226,17 @@ void fit_delay(const std::vector<OdometryIncrement>& odometry, const std::vector
   const DelayAndAntenna likelihood(odometry, fixes, noise);
   const DelayAndAntenna::Point top = likelihood.likeliest();
   const bool apart = speed_variation(odometry, fixes.front().stamp, fixes.back().stamp) > kSpeedVaries;
-  const auto covariance = apart ? likelihood.covariance(top) : std::nullopt;
+  const double speed = fit.way / fit.moving_time;
+  auto covariance = apart ? likelihood.covariance(top) : std::nullopt;
+  // The curvature at the top may promise what the likelihood does not keep: an antenna elsewhere explains it.
+  const DelayAndAntenna::Point undelayed(0.0, top.y() - top.x() * speed);
+  const bool clear = likelihood(top) - likelihood(undelayed) > kClearlyWorse;
+  if (covariance && !clear && square(top.x()) > 2.0 * kClearlyWorse * (*covariance)(0, 0)) covariance.reset();
   const Eigen::Vector2d variance = covariance
                                        ? Eigen::Vector2d(covariance->diagonal())
                                        : Eigen::Vector2d::Constant(kFarthestAntenna * kFarthestAntenna);
   fit.delay = with_range(top.x(), variance.x(), kWidestDelay);
   fit.antenna_ahead = with_range(top.y(), variance.y(), kWidestAntenna);
-  const double speed = fit.way / fit.moving_time;
   fit.behind = with_range(top.x() * speed - top.y(), likelihood.variance_of_antenna(top), kWidestAntenna);
 }
 
