@@ -30,13 +30,17 @@ void require_finite(const std::vector<Eigen::Vector2d>& waypoints) {
 /// [m], that is nearest to the place.
 std::size_t joined_at(const std::vector<Eigen::Vector2d>& route, const Eigen::Vector2d& place, double reach) {
   std::size_t joined = 0;
-  double nearest = (place - route.front()).norm(), driven = 0.0;
+  double nearest = (place - route.front()).norm();
+  double driven = 0.0;
   for (std::size_t i = 1; i < route.size() && driven <= reach; ++i) {
     const Eigen::Vector2d way = route[i] - route[i - 1];
     if (way.isZero()) continue;
     const double share = std::clamp((place - route[i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
     const double away = (place - route[i - 1] - share * way).norm();
-    if (away <= nearest) nearest = away, joined = i;
+    if (away <= nearest) {
+      nearest = away;
+      joined = i;
+    }
     driven += way.norm();
   }
   return joined;

@@ -156,17 +156,7 @@ class DelayAndAntenna {
     Point best(0.0, 0.0);
     double likelihood = (*this)(best);
     for (double step = 1.0; step >= kFinestDelay / kDelayStep; step *= 0.5) {
-      for (bool moved = true; moved;) {
-        moved = false;
-        for (const Point& way : {Point(1, 0), Point(0, 1), Point(1, 1), Point(1, -1)}) {
-          for (const double sign : {step, -step}) {
-            const Point tried = best + sign * way.cwiseProduct(Point(kDelayStep, kAntennaStep));
-            const double there = (*this)(tried);
-            const bool beyond = std::abs(tried.x()) > kLongestDelay || std::abs(tried.y()) > kFarthestAntenna;
-            if (there <= likelihood || beyond) continue;
-            best = tried, likelihood = there, moved = true;
-          }
-        }
+      while (climbs(step, best, likelihood)) {
       }
     }
     return best;
@@ -196,6 +186,23 @@ class DelayAndAntenna {
   }
 
  private:
+  /// Goes from `best` wherever a step of that size raises the likelihood; false where none does.
+  bool climbs(double step, Point& best, double& likelihood) const {
+    bool moved = false;
+    for (const Point& way : {Point(1, 0), Point(0, 1), Point(1, 1), Point(1, -1)}) {
+      for (const double signed_step : {step, -step}) {
+        const Point tried = best + signed_step * way.cwiseProduct(Point(kDelayStep, kAntennaStep));
+        const double there = (*this)(tried);
+        const bool beyond = std::abs(tried.x()) > kLongestDelay || std::abs(tried.y()) > kFarthestAntenna;
+        if (there <= likelihood || beyond) continue;
+        best = tried;
+        likelihood = there;
+        moved = true;
+      }
+    }
+    return moved;
+  }
+
   static Point curvature_step() { return {0.5 * kDelayStep, 0.5 * kAntennaStep}; }
 
   const std::vector<OdometryIncrement>& odometry_;
@@ -211,7 +218,9 @@ Told with_range(double value, double variance, double widest) {
 
 /// By how much the speed varies about its mean while the robot moves, as a share of it.
 double speed_variation(const std::vector<OdometryIncrement>& odometry, double from, double to) {
-  double time = 0.0, way = 0.0, squares = 0.0;
+  double time = 0.0;
+  double way = 0.0;
+  double squares = 0.0;
   for (const OdometryIncrement& u : odometry) {
     if (u.stamp < from || u.stamp > to || standing(u)) continue;
     time += u.duration;
