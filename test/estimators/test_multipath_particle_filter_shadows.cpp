@@ -12,7 +12,7 @@ namespace multipath_localization {
 namespace {
 
 TEST(MultipathParticleFilter, ABiasOfFiveMetresForHalfAMinuteIsTracked) {
-  const double tracked = share_of_seeds(8, [](std::uint64_t seed) {
+  const double tracked = share_of_seeds(24, [](std::uint64_t seed) {
     SimulatedDrive robot(seed);
     Localizer localizer = default_localizer(seed);
     robot.run(localizer, 60.0);
