@@ -94,10 +94,15 @@ build() {
   set -u
 }
 
-# build_tests [CMAKE_OPTION...]: builds everything, tests too.
-build_tests() {
+# build_tests_once [CMAKE_OPTION...]: builds everything, tests too; they may lack part of their environment.
+build_tests_once() {
   build all -DCATKIN_ENABLE_TESTING=ON -DWARNINGS_AS_ERRORS=ON "$@"
   cmake --build "$build_dir" --target tests -- --no-print-directory -j"$(jobs)"
+}
+
+# build_tests [CMAKE_OPTION...]: builds everything, tests too, ready to run.
+build_tests() {
+  build_tests_once "$@"
   # Configured again: catkin notes for the tests' environment only those folders that exist by then.
   cmake "$build_dir" >>"$build_dir/configure.log" 2>&1
 }
