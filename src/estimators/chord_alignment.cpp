@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 #include "multipath_localization/models/gnss_position.hpp"
@@ -59,7 +60,7 @@ void ChordAlignment::predict(const OdometryIncrement& u) {
   moving_time_ += u.duration;
   base_in_odom_ = base_in_odom_ * displacement(u);
   auto position = state_.covariance.topLeftCorner<2, 2>();
-  const double sigma = std::sqrt(0.5 * position.trace()) + ground_speed(u) * u.duration;
+  const double sigma = mean_sigma(position) + ground_speed(u) * u.duration;
   position = square(sigma) * Eigen::Matrix2d::Identity();
 }
 
@@ -91,7 +92,7 @@ void ChordAlignment::try_to_align(const GnssFix& fix, const Eigen::Matrix2d& R) 
   if (!anchor_) anchor_ = here;
   const Eigen::Vector2d driven = here.antenna_in_odom - anchor_->antenna_in_odom;
   const Eigen::Vector2d seen = here.antenna_in_map - anchor_->antenna_in_map;
-  const double sigma = std::sqrt(0.5 * (anchor_->covariance + R).trace());
+  const double sigma = mean_sigma(anchor_->covariance + R);
   const double chord = driven.norm();
   missing_ = std::max(parameters_.alignment_distance, sigma / parameters_.alignment_yaw_sigma) - chord;
   if (missing_ > 0.0) return;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/models/differential_drive.hpp"
 #include "multipath_localization/models/odometry_motion.hpp"
@@ -88,7 +89,7 @@ void DualAntennaEkf::predict(const OdometryIncrement& u) {
   now_ = u.stamp;
   if (phase_ == Phase::kFollowing) {
     auto position = belief_.covariance.topLeftCorner<2, 2>();
-    const double sigma = std::sqrt(0.5 * position.trace()) + ground_speed(u) * u.duration;
+    const double sigma = mean_sigma(position) + ground_speed(u) * u.duration;
     position = square(sigma) * Eigen::Matrix2d::Identity();
   }
   if (phase_ != Phase::kTracking) return;

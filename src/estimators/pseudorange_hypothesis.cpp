@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/numbers.hpp"
 
 namespace multipath_localization {
@@ -125,14 +124,7 @@ Belief PseudorangeHypothesis::planar() const {
     if (i == first || probabilities_[i] < kLeastShare) continue;
     const Belief other = filters_[i].belief.planar();
     total += probabilities_[i];
-    const double share = probabilities_[i] / total;
-    Belief::Vector d = other.mean - result.mean;
-    d(kYaw) = wrap_angle(d(kYaw));
-    result.covariance = ((1.0 - share) * result.covariance + share * other.covariance +
-                         share * (1.0 - share) * d * d.transpose())
-                            .eval();
-    result.mean += share * d;
-    result.mean(kYaw) = wrap_angle(result.mean(kYaw));
+    merge(result.mean, result.covariance, other.mean, other.covariance, probabilities_[i] / total);
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/models/pseudorange.hpp"
 
@@ -246,7 +247,7 @@ void PseudorangeKalmanFilter::follow_course() {
   constexpr int v = PseudorangeBelief::kVelocityEast;
   const Eigen::Vector2d velocity = belief.mean.segment<2>(v);
   const double speed = velocity.norm();
-  const double sigma = std::sqrt(0.5 * belief.covariance.block<2, 2>(v, v).trace());
+  const double sigma = mean_sigma(belief.covariance.block<2, 2>(v, v));
   if (speed < std::max(kLeastCourseSpeed, kCourseSigmas * sigma)) return;
   double course = std::atan2(velocity.y(), velocity.x());
   const bool known = belief.covariance(kYaw, kYaw) < square(kKnownYaw);
@@ -261,12 +262,7 @@ void PseudorangeKalmanFilter::follow_course() {
 }
 
 void PseudorangeKalmanFilter::mix(const PseudorangeKalmanFilter& other, double share) {
-  PseudorangeBelief::Vector d = other.belief.mean - belief.mean;
-  d(kYaw) = wrap_angle(d(kYaw));
-  belief.covariance *= 1.0 - share;
-  belief.covariance += share * other.belief.covariance + (share * (1.0 - share) * d) * d.transpose();
-  belief.mean += share * d;
-  belief.mean(kYaw) = wrap_angle(belief.mean(kYaw));
+  merge(belief.mean, belief.covariance, other.belief.mean, other.belief.covariance, share);
   for (std::size_t i = 0; i < chain.size(); ++i) chain[i] += share * (other.chain[i] - chain[i]);
   scales.mix(other.scales, share);
   line_of_sight_share += share * (other.line_of_sight_share - line_of_sight_share);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/elementary.hpp"
 #include "multipath_localization/core/numbers.hpp"
 
@@ -123,7 +124,7 @@ void GnssLikelihoodParameters::fields(ParameterVisitor& field) {
 }
 
 FixSigmas fix_sigmas(const GnssLikelihoodParameters& parameters, const GnssFix& fix) {
-  const double declared = parameters.use_declared_covariance ? std::sqrt(0.5 * fix.covariance.trace()) : 0.0;
+  const double declared = parameters.use_declared_covariance ? mean_sigma(fix.covariance) : 0.0;
   return {std::max(parameters.sigma_b, declared), std::max(parameters.sigma_s, declared)};
 }
 

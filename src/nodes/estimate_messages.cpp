@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "multipath_localization/core/covariance.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -127,7 +129,7 @@ FixReport concluded(FixReport report, const Innovation& innovation, double now) 
   report.innovation_x = innovation.innovation.x();
   report.innovation_y = innovation.innovation.y();
   report.nis = innovation.nis;
-  report.predicted_sigma = std::sqrt(0.5 * innovation.covariance.trace());
+  report.predicted_sigma = mean_sigma(innovation.covariance);
   report.age = now == 0.0 || stamp.isZero() ? 0.0 : now - stamp.toSec();
   return report;
 }

@@ -38,5 +38,9 @@ TEST(Covariance, IsSymmetricButForRounding) {
   EXPECT_FALSE(positive_semi_definite(matrix(1e4, 1.0, 1.1, 1e4)));
 }
 
+TEST(MeanSigma, IsTheRootOfTheMeanVariance) {
+  EXPECT_EQ(mean_sigma(Eigen::Matrix2d(Eigen::Vector2d(1.0, 7.0).asDiagonal())), 2.0);
+}
+
 }  // namespace
 }  // namespace multipath_localization

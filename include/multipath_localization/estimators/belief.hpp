@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/estimate.hpp"
 #include "multipath_localization/models/preintegrated_odometry.hpp"
 
@@ -24,6 +25,19 @@ struct Belief {
   /// Moves on by the odometry summed up since the last call.
   void propagate(const PreintegratedOdometry& odometry, const OdometryNoise& noise);
 };
+
+/// One Gaussian for the mixture with another of `share` (0, 1) of both weights, by its mean and covariance;
+/// the element kYaw is an angle.
+template <class Vector, class Matrix>
+void merge(Vector& mean, Matrix& covariance, const Vector& other_mean, const Matrix& other_covariance,
+           double share) {
+  Vector d = other_mean - mean;
+  d(kYaw) = wrap_angle(d(kYaw));
+  covariance *= 1.0 - share;
+  covariance += share * other_covariance + (share * (1.0 - share) * d) * d.transpose();
+  mean += share * d;
+  mean(kYaw) = wrap_angle(mean(kYaw));
+}
 
 /// What a belief says of the fix to come: antenna position and bias apart, since modes differ in the bias.
 struct FixPrediction {

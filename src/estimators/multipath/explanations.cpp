@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "estimators/multipath/wheel_fault.hpp"
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/numbers.hpp"
 
 namespace multipath_localization::multipath {
@@ -106,7 +107,7 @@ class Explainer {
 Explainer::Explainer(const Hypothesis& hypothesis, const Sighting& sighting, RandomStream& random)
     : h_(hypothesis), z_(sighting), random_(random) {
   standing_ = z_.standing && !h_.wheel_fault.any() && z_.fault_probability <= 0.0;
-  const double sigma = std::sqrt(0.5 * z_.fix.covariance.trace());
+  const double sigma = mean_sigma(z_.fix.covariance);
   white_ = h_.law.white_variance() * z_.fix.covariance;
   shadow_level_ = std::min(h_.level, z_.level);
   shadow_white_ = std::min(1.0, square(shadow_level_ / sigma)) * white_;

@@ -26,6 +26,8 @@ enum StateIndex {
   kStateSize
 };
 using State = Eigen::Matrix<double, kStateSize, 1>;
+/// Of the base in map.
+inline Pose2 pose_of(const State& state) { return {state(kX), state(kY), state(kYaw)}; }
 using StateCovariance = Eigen::Matrix<double, kStateSize, kStateSize>;
 
 /// Wheels that turn otherwise than the robot drives; all zero while they do not.
@@ -47,7 +49,7 @@ struct Hypothesis {
   ShadowLaw shadow_law;
   WheelFault wheel_fault;
 
-  [[nodiscard]] Pose2 pose() const { return {mean(kX), mean(kY), mean(kYaw)}; }
+  [[nodiscard]] Pose2 pose() const { return pose_of(mean); }
   /// What a fix is off by, its white noise apart [m].
   [[nodiscard]] Eigen::Vector2d bias() const { return mean.segment<2>(kSlowX) + mean.segment<2>(kShadowX); }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "estimators/multipath/wheel_fault.hpp"
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/filters/resampling.hpp"
 
@@ -25,8 +26,6 @@ constexpr double kMostGapTurn = 3.0;           // [rad]
 constexpr double kGapYawVariance = 0.01;       // of each hypothesis then [rad^2]
 constexpr double kHeadingReach = 0.6;          // [rad]
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;  // a random stream beside those of the particles
-
-double mean_sigma(const Eigen::Matrix2d& covariance) { return std::sqrt(0.5 * covariance.trace()); }
 
 }  // namespace
 

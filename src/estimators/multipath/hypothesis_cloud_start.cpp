@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "estimators/multipath/hypothesis_cloud.hpp"
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/numbers.hpp"
 
 namespace multipath_localization::multipath {
@@ -69,13 +70,13 @@ void HypothesisCloud::spread_about(const GnssFix& fix) {
 }
 
 void HypothesisCloud::start(const GnssFix& fix) {
-  level_ = std::sqrt(0.5 * fix.covariance.trace());
+  level_ = mean_sigma(fix.covariance);
   spread(std::max(static_cast<std::size_t>(settings_.particles), kHeadings * kLawsPerHeading));
   spread_about(fix);
 }
 
 void HypothesisCloud::start(const GnssFix& fix, const HypothesisCloud& learnt) {
-  level_ = std::sqrt(0.5 * fix.covariance.trace());
+  level_ = mean_sigma(fix.covariance);
   const auto count = static_cast<std::size_t>(settings_.particles);
   spread(count);
   for (std::size_t i = 0; i < count; ++i) {

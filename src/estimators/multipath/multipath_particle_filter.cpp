@@ -146,7 +146,7 @@ void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParamete
 
 Prediction MultipathParticleFilter::State::predicted() const {
   const multipath::Mixture& mixture = cloud.mixture();
-  const Pose2 then{mixture.mean(multipath::kX), mixture.mean(multipath::kY), mixture.mean(multipath::kYaw)};
+  const Pose2 then = multipath::pose_of(mixture.mean);
   const Eigen::Vector2d way = rotation(then.yaw) * odometry.displacement();
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
   F.topRightCorner<2, 1>() << -way.y(), way.x();

@@ -35,8 +35,7 @@ void Rival::propagate(const OdometrySum& odometry) {
 void Rival::start(const GnssFix& fix, double log_density, const HypothesisCloud& cloud) {
   cloud_.start(fix, cloud);
   age_ = 0.0;
-  const Mixture& mixture = cloud.mixture();
-  const Eigen::Vector2d antenna = mixture.mean.head<2>() + rotation(mixture.mean(kYaw)) * fix.antenna_in_base;
+  const Eigen::Vector2d antenna = pose_of(cloud.mixture().mean) * fix.antenna_in_base;
   const double distance = std::max(kNearest, (fix.position - antenna).norm());
   const double log_own_density = -std::log(2.0 * kPi * kLogOfReach * square(distance));
   log_odds_ = std::log(kWrong) + log_own_density - log_density;
