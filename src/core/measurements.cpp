@@ -31,7 +31,8 @@ OdometryIncrement joined(const OdometryIncrement& first, const OdometryIncrement
           mean(first.speed, second.speed),
           mean(first.yaw_rate, second.yaw_rate),
           mean(first.lateral_speed, second.lateral_speed),
-          first.from_range_rates && second.from_range_rates};
+          first.from_range_rates && second.from_range_rates,
+          first.turn_source == second.turn_source ? first.turn_source : TurnSource::kWheels};
 }
 
 namespace {
@@ -42,6 +43,10 @@ bool carry(Single& measurement, const BaseThen& base_then) {
   const std::optional<Pose2> then = base_then(measurement.stamp);
   if (then) measurement.antenna_in_base = *then * measurement.antenna_in_base;
   return then.has_value();
+}
+
+bool carry(GnssVelocity& velocity, const BaseThen& base_then) {
+  return base_then(velocity.stamp).has_value();
 }
 
 bool carry(DualAntennaFix& fixes, const BaseThen& base_then) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostWaiting = 1000;  ///< measurements ahead of odometry that has stopped
 constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fixes", "pairs of fixes",
-                                                                              "pseudoranges"};
+                                                                              "pseudoranges", "velocities"};
 
 /// "about 7 m more", or "on" where the way is not known.
 std::string way_on(double way) {
@@ -69,7 +69,8 @@ void Localizer::tune(ParameterVisitor& field) {
 }
 
 void Localizer::add(const OdometryIncrement& reported) {
-  const OdometryIncrement increment = standstill_.settled(reported);
+  const OdometryIncrement settled = standstill_.settled(reported);
+  const OdometryIncrement increment = gyro_.with_turn(settled, standstill_.at_rest());
   double from = increment.stamp - increment.duration;
   const auto advance = [&](double to) {
     if (to <= from) return;
@@ -116,7 +117,8 @@ void Localizer::apply(const Measurement& measurement) {
     auto* fix = std::get_if<GnssFix>(&*carried);
     report.innovation = fix == nullptr ? estimator_->update(*carried) : weigh(*fix, report);
   }
-  if (report.innovation.accepted() || report.innovation.reason == Reason::kRepeated) {
+  const bool tells_position = !std::holds_alternative<GnssVelocity>(measurement);
+  if (tells_position && (report.innovation.accepted() || report.innovation.reason == Reason::kRepeated)) {
     std::optional<double>& last = accepted_[measurement.index()];
     last = std::max(last.value_or(stamp), stamp);
   }

@@ -37,6 +37,7 @@ void rate(const Drive& drive, const Batch& batch, RunRecord& run) {
   run.score = score(run.epochs, from);
   run.longest_off = longest_off(run.epochs, from, batch.off_from);
   run.longest_beyond_3_sigma = longest_beyond_3_sigma(run.epochs, from);
+  run.way_to_alignment = way_to_alignment(run.epochs);
   run.fixes = score_fixes(drive, from);
 }
 

@@ -102,6 +102,10 @@ ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const E
   for (std::int64_t step = 0; step < steps; ++step) {
     const MotionCommand command = next_command(scenario, follower, published, simulator.time());
     const Readings readings = simulator.step(command);
+    for (const YawRate& yaw_rate : readings.yaw_rates) {
+      localizer.add(yaw_rate);
+      run.drive.yaw_rates.push_back({yaw_rate, simulator.time()});
+    }
     if (readings.odometry) {
       localizer.add(*readings.odometry);
       run.drive.odometry.push_back(*readings.odometry);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "multipath_localization/core/estimate.hpp"
+#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/core/twist_sample.hpp"
 #include "multipath_localization/evaluation/doppler_odometry.hpp"
 #include "multipath_localization/evaluation/pseudorange_file.hpp"
@@ -88,6 +89,10 @@ FixStatus status_of(const CsvTable& table, std::size_t row) {
   throw table.error(row, "status is none of -1, 0, 1, 2");
 }
 
+double arrival_of(const CsvTable& table, std::size_t row) {
+  return table.number(row, table.has("t_arrival") ? "t_arrival" : "t", kLatestTime);
+}
+
 RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, const LocalFrame& map) {
   GnssFix fix;
   fix.stamp = stamp_in_order(table, row);
@@ -97,7 +102,33 @@ RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, const Local
   const double north = table.number(row, "cov_nn_m2");
   fix.covariance << east, cross, cross, north;
   fix.status = status_of(table, row);
-  return {fix, table.has("t_arrival") ? table.number(row, "t_arrival", kLatestTime) : fix.stamp};
+  return {fix, arrival_of(table, row)};
+}
+
+/// Empty where there is no such file.
+std::vector<RecordedYawRate> read_yaw_rates(const std::string& file) {
+  if (!std::filesystem::exists(file)) return {};
+  const CsvTable table(file, {"t", "yaw_rate_radps"});
+  std::vector<RecordedYawRate> all;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const YawRate yaw_rate{stamp_in_order(table, i), table.number(i, "yaw_rate_radps", kFastest)};
+    all.push_back({yaw_rate, arrival_of(table, i)});
+  }
+  sort_by_arrival(all);
+  return all;
+}
+
+/// None where there is no such file.
+void read_velocities(const std::string& file, std::vector<RecordedMeasurement>& measurements) {
+  if (!std::filesystem::exists(file)) return;
+  const CsvTable table(file, {"t", "east_mps", "north_mps", "sigma_mps"});
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    GnssVelocity velocity;
+    velocity.stamp = stamp_in_order(table, i);
+    velocity.velocity = {table.number(i, "east_mps", kFastest), table.number(i, "north_mps", kFastest)};
+    velocity.covariance = square(table.number(i, "sigma_mps", kFastest)) * Eigen::Matrix2d::Identity();
+    measurements.push_back({velocity, arrival_of(table, i)});
+  }
 }
 
 /// The rows of a table that are fixes: all but those that say they are none.
@@ -203,9 +234,9 @@ Drive read_drive(const std::string& directory) {
   for (const std::size_t row : fix_rows) drive.measurements.push_back(read_fix(*fixes, row, map));
   note_refused(fixes, fix_rows.size(), drive.notices);
   drive.measurements.insert(drive.measurements.end(), epochs.begin(), epochs.end());
-  std::stable_sort(
-      drive.measurements.begin(), drive.measurements.end(),
-      [](const RecordedMeasurement& a, const RecordedMeasurement& b) { return a.arrival < b.arrival; });
+  read_velocities(folder / "velocity.csv", drive.measurements);
+  sort_by_arrival(drive.measurements);
+  drive.yaw_rates = read_yaw_rates(folder / "gyro.csv");
 
   drive.truth = read_truth(folder / "truth.csv", map);
   if (drive.truth.empty()) drive.notices.emplace_back("no truth, nothing is scored");

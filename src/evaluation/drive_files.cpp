@@ -5,6 +5,9 @@
 #include <fstream>
 #include <iomanip>
 #include <locale>
+#include <optional>
+
+#include "multipath_localization/core/covariance.hpp"
 
 namespace multipath_localization {
 
@@ -70,6 +73,25 @@ void write_truth(const Drive& drive, const LocalFrame& map, const fs::path& fold
   file.close();
 }
 
+void write_yaw_rates(const Drive& drive, const fs::path& folder) {
+  if (drive.yaw_rates.empty()) return;
+  CsvFile file(folder / "gyro.csv", "t,yaw_rate_radps,t_arrival");
+  for (const auto& [yaw_rate, arrival] : drive.yaw_rates) file.row(yaw_rate.stamp, yaw_rate.rate, arrival);
+  file.close();
+}
+
+void write_velocities(const Drive& drive, const fs::path& folder) {
+  std::optional<CsvFile> file;
+  for (const auto& [measurement, arrival] : drive.measurements) {
+    const auto* velocity = std::get_if<GnssVelocity>(&measurement);
+    if (velocity == nullptr) continue;
+    if (!file) file.emplace(folder / "velocity.csv", "t,east_mps,north_mps,sigma_mps,t_arrival");
+    file->row(velocity->stamp, velocity->velocity.x(), velocity->velocity.y(),
+              mean_sigma(velocity->covariance), arrival);
+  }
+  if (file) file->close();
+}
+
 /// Why a directory is no drive to be run, or nothing.
 std::string what_is_missing(const fs::path& folder) {
   for (const char* file : {"truth.csv", "fix.csv", "odometry.csv"}) {
@@ -78,11 +100,11 @@ std::string what_is_missing(const fs::path& folder) {
   return "";
 }
 
-Drive fixes_alone(Drive drive) {
-  const auto is_no_fix = [](const RecordedMeasurement& recorded) {
-    return !std::holds_alternative<GnssFix>(recorded.measurement);
+Drive without_epochs(Drive drive) {
+  const auto is_epoch = [](const RecordedMeasurement& recorded) {
+    return std::holds_alternative<PseudorangeEpoch>(recorded.measurement);
   };
-  drive.measurements.erase(std::remove_if(drive.measurements.begin(), drive.measurements.end(), is_no_fix),
+  drive.measurements.erase(std::remove_if(drive.measurements.begin(), drive.measurements.end(), is_epoch),
                            drive.measurements.end());
   return drive;
 }
@@ -98,6 +120,8 @@ void write_drive(const Drive& drive, const std::string& directory) {
   write_odometry(drive, folder);
   write_fixes(drive, map, folder);
   write_truth(drive, map, folder);
+  write_yaw_rates(drive, folder);
+  write_velocities(drive, folder);
 }
 
 namespace {
@@ -107,7 +131,7 @@ void add_drive(const fs::path& folder, double score_from, FoundDrives& found) {
   std::string reason = what_is_missing(folder);
   try {
     if (reason.empty()) {
-      Drive drive = fixes_alone(read_drive(folder.string()));
+      Drive drive = without_epochs(read_drive(folder.string()));
       if (drive.truth.back().stamp > drive.start() + score_from) {
         found.drives.push_back(std::move(drive));
         return;

@@ -133,6 +133,17 @@ std::optional<double> longest_beyond_3_sigma(const std::vector<Epoch>& epochs, d
   return longest(epochs, from, [](const Epoch& epoch) { return epoch.valid && nees_of(epoch) > 9.0; });
 }
 
+std::optional<double> way_to_alignment(const std::vector<Epoch>& epochs) {
+  double way = 0.0;
+  for (std::size_t i = 0; i < epochs.size(); ++i) {
+    if (i > 0) {
+      way += (epochs[i].truth.base_in_map.position() - epochs[i - 1].truth.base_in_map.position()).norm();
+    }
+    if (epochs[i].valid && epochs[i].aligned) return way;
+  }
+  return std::nullopt;
+}
+
 Score score_fixes(const Drive& drive, double from) {
   std::vector<PositionError> errors;
   for (const GnssFix& fix : drive.fixes()) {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "multipath_localization/simulation/random_gyro.hpp"
+#include "multipath_localization/simulation/random_velocity.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -24,9 +27,22 @@ std::vector<TruthSample> truth_of(const RandomRobot& robot) {
   return truth;
 }
 
+void add_extras(const RandomExtras& extras, std::uint64_t seed, const RandomRobot& robot, Drive& drive) {
+  if (extras.gyro) {
+    for (const YawRate& read : read_gyro(draw_gyro(seed), robot.steps, seed)) {
+      drive.yaw_rates.push_back({read, read.stamp});
+    }
+  }
+  if (!extras.velocity) return;
+  for (const GnssVelocity& read : read_velocities(draw_velocity(seed), robot.receiver, robot.steps, seed)) {
+    drive.measurements.push_back({read, read.stamp});
+  }
+  sort_by_arrival(drive.measurements);
+}
+
 }  // namespace
 
-RandomDrive random_drive(std::uint64_t seed) {
+RandomDrive random_drive(std::uint64_t seed, const RandomExtras& extras) {
   RandomDrive made;
   made.robot = draw_robot(seed);
   made.drive.name = "random_" + std::to_string(seed);
@@ -38,6 +54,7 @@ RandomDrive random_drive(std::uint64_t seed) {
   ReadFixes fixes = read_fixes(made.robot.receiver, made.robot.steps, seed);
   for (const GnssFix& fix : fixes.fixes) made.drive.measurements.push_back({fix, fix.stamp});
   made.fix_truths = std::move(fixes.truths);
+  add_extras(extras, seed, made.robot, made.drive);
   made.robot.steps = {};
   return made;
 }

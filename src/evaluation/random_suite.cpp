@@ -63,12 +63,13 @@ void run_variant(const Stream& stream, const Batch& batch, const std::vector<std
 
 }  // namespace
 
-std::vector<RunRecord> run_random(const Batch& batch, const std::vector<std::string>& parameters,
+std::vector<RunRecord> run_random(const Batch& batch, const RandomExtras& extras,
+                                  const std::vector<std::string>& parameters,
                                   const std::function<void(std::size_t, double)>& progress) {
   const std::size_t all = batch.estimators.size() + 1;
   std::vector<RunRecord> runs(all * batch.seeds);
   for_each_index(batch.seeds, batch.jobs, [&](std::size_t i) {
-    RandomDrive made = random_drive(batch.first_seed + i);
+    RandomDrive made = random_drive(batch.first_seed + i, extras);
     const RunRecord over = run_over(made, batch, batch.first_seed + i);
     for (std::size_t variant = 0; variant < all; ++variant) runs[variant * batch.seeds + i] = over;
     run_oracle_over(made, batch, runs[batch.estimators.size() * batch.seeds + i]);

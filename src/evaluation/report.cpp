@@ -155,6 +155,7 @@ std::string to_json(const std::vector<RunRecord>& runs) {
         << ", \"rmse_shadow_m\": " << json(s.rmse_shadow) << ", \"rmse_open_m\": " << json(s.rmse_open)
         << ", \"longest_off_s\": " << json(run.longest_off)
         << ", \"longest_beyond_3_sigma_s\": " << json(run.longest_beyond_3_sigma)
+        << ", \"way_to_alignment_m\": " << json(run.way_to_alignment)
         << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu)
         << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
         << ", \"fix_rmse_shadow_m\": " << json(run.fixes.rmse_shadow)
@@ -194,7 +195,7 @@ std::string to_table(const std::vector<RunRecord>& runs) {
 
 std::string losses(const std::vector<RunRecord>& runs) {
   constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fixes", "pairs of fixes",
-                                                                                "epochs"};
+                                                                                "epochs", "velocities"};
   std::string text;
   for (const RunRecord& run : runs) {
     for (std::size_t kind = 0; run.seed == 1 && kind < kKinds.size(); ++kind) {

@@ -11,7 +11,7 @@ namespace {
 constexpr double kLongestCarry = 1.0;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Walks a drive's three streams in the order of arrival.
+/// Walks a drive's streams in the order of arrival.
 class Replay {
  public:
   Replay(const Drive& drive, Localizer& localizer, const FateReport& fate)
@@ -22,8 +22,11 @@ class Replay {
     while (true) {
       const double odometry = next_odometry_stamp();
       const double measurement = next_measurement_arrival();
-      if (std::min(odometry, measurement) > stamp) break;
-      if (odometry <= measurement) {
+      const double yaw_rate = next_yaw_rate_arrival();
+      if (std::min({odometry, measurement, yaw_rate}) > stamp) break;
+      if (yaw_rate <= std::min(odometry, measurement)) {
+        localizer_.add(drive_.yaw_rates[next_yaw_rate_++].yaw_rate);
+      } else if (odometry <= measurement) {
         restart_at(odometry);
         localizer_.add(drive_.odometry[next_odometry_++]);
       } else {
@@ -52,6 +55,11 @@ class Replay {
     return drive_.measurements[next_measurement_].arrival;
   }
 
+  [[nodiscard]] double next_yaw_rate_arrival() const {
+    if (next_yaw_rate_ == drive_.yaw_rates.size()) return kNever;
+    return drive_.yaw_rates[next_yaw_rate_].arrival;
+  }
+
   void restart_at(double stamp) {
     if (next_restart_ == drive_.restarts.size() || drive_.restarts[next_restart_] > stamp) return;
     ++next_restart_;
@@ -64,6 +72,7 @@ class Replay {
   std::size_t next_restart_ = 0;
   std::size_t next_odometry_ = 0;
   std::size_t next_measurement_ = 0;
+  std::size_t next_yaw_rate_ = 0;
 };
 
 /// The direction in which truth goes on from a sample: to the first one a metre away, within two seconds and

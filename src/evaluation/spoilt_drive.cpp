@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "multipath_localization/simulation/streams.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -31,8 +33,34 @@ std::vector<RecordedMeasurement> through(FixFaults faults, const std::vector<Rec
     }
   }
   release(std::numeric_limits<double>::max());
-  std::stable_sort(out.begin(), out.end(),
-                   [](const auto& a, const auto& b) { return a.arrival < b.arrival; });
+  sort_by_arrival(out);
+  return out;
+}
+
+std::vector<RecordedYawRate> through(SensorFaults faults, const std::vector<RecordedYawRate>& all) {
+  std::vector<RecordedYawRate> out;
+  for (const auto& [yaw_rate, arrival] : all) {
+    const auto spoilt = faults.spoil(yaw_rate.stamp, {0.0, 0.0, yaw_rate.rate});
+    if (spoilt) out.push_back({{yaw_rate.stamp, spoilt->value.z()}, arrival + spoilt->delay});
+  }
+  sort_by_arrival(out);
+  return out;
+}
+
+/// Of the measurements the velocities.
+std::vector<RecordedMeasurement> through(SensorFaults faults, const std::vector<RecordedMeasurement>& all) {
+  std::vector<RecordedMeasurement> out;
+  for (RecordedMeasurement recorded : all) {
+    if (auto* velocity = std::get_if<GnssVelocity>(&recorded.measurement)) {
+      const Eigen::Vector3d told(velocity->velocity.x(), velocity->velocity.y(), 0.0);
+      const auto spoilt = faults.spoil(velocity->stamp, told);
+      if (!spoilt) continue;
+      velocity->velocity = spoilt->value.head<2>();
+      recorded.arrival += spoilt->delay;
+    }
+    out.push_back(recorded);
+  }
+  sort_by_arrival(out);
   return out;
 }
 
@@ -42,6 +70,11 @@ Drive spoilt(const Drive& drive, const FaultParameters& faults, std::uint64_t se
   Drive result = drive;
   result.odometry = through(OdometryFaults(faults.odometry, seed, drive.start()), drive.odometry);
   result.measurements = through(FixFaults(faults.fix, seed, drive.start()), drive.measurements);
+  result.measurements =
+      through(SensorFaults(faults.velocity, "velocity", seed, kVelocityFaultStream, drive.start()),
+              result.measurements);
+  result.yaw_rates =
+      through(SensorFaults(faults.gyro, "gyro", seed, kGyroFaultStream, drive.start()), drive.yaw_rates);
   return result;
 }
 

@@ -26,9 +26,8 @@ OdometryIncrement Standstill::settled(const OdometryIncrement& u) {
   const bool turning = std::abs(u.yaw_rate) > kAboveNoise || std::abs(yaw_rate_) > kAboveBias;
   const bool strafing = std::abs(u.lateral_speed) > kStrafing || std::abs(lateral_speed_) > kStrafingOnMean;
   const bool rolling = std::abs(u.speed) >= kStandstillSpeed || std::abs(speed_) >= kStandstillSpeed;
-  if (!rolling && !turning && !strafing) {
-    result.yaw_rate = result.lateral_speed = 0.0;
-  }
+  at_rest_ = !rolling && !turning && !strafing;
+  if (at_rest_) result.yaw_rate = result.lateral_speed = 0.0;
   return result;
 }
 

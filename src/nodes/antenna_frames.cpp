@@ -125,6 +125,14 @@ std::optional<Eigen::Vector2d> AntennaFrames::in_base(const std::string& frame) 
   return {};
 }
 
+std::optional<Eigen::Quaterniond> AntennaFrames::rotation_in_base(const std::string& frame) const {
+  const std::string name = without_slash(frame);
+  if (name.empty() || name == frames_.base_link_frame) return Eigen::Quaterniond::Identity();
+  const std::optional<Eigen::Isometry3d> now = pose(name, frames_.base_link_frame);
+  if (!now || !rides(name)) return {};
+  return Eigen::Quaterniond(now->rotation());
+}
+
 bool AntennaFrames::may_come(const std::string& frame) const {
   const std::string name = without_slash(frame);
   return !stays_on_ground(name) && between(name, frames_.base_link_frame).empty();

@@ -40,6 +40,10 @@ class AntennaFrames {
   /// own give zero; nothing where it does not ride on the robot or no transform joins the two.
   std::optional<Eigen::Vector2d> in_base(const std::string& frame);
 
+  /// How a frame that rides on the robot is turned against the base, wherever it is. An empty frame and the
+  /// base's own are not; nothing where no transform joins the two.
+  [[nodiscard]] std::optional<Eigen::Quaterniond> rotation_in_base(const std::string& frame) const;
+
   /// Whether transforms yet to come may place a frame that is not known on the base: none has joined it so
   /// far.
   [[nodiscard]] bool may_come(const std::string& frame) const;

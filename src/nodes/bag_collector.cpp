@@ -21,6 +21,8 @@ void BagCollector::take(const rosbag::MessageInstance& message) {
     const auto bias = read<geometry_msgs::Vector3Stamped>(message);
     shadows_[bias.header.stamp.toSec()] = bias.vector.z > 0.5;
   }
+  if (topic == topics_.imu) add(read<sensor_msgs::Imu>(message));
+  if (topic == topics_.velocity) take_velocity(message);
   if (topic == topics_.fix) add(read<sensor_msgs::NavSatFix>(message));
   if (topic == topics_.epoch) add(read<GnssEpoch>(message));
   if (topic == topics_.left) add(FixPairing::Side::kLeft, read<sensor_msgs::NavSatFix>(message));
@@ -80,6 +82,24 @@ void BagCollector::add(const nav_msgs::Odometry& message) {
                         without_slash(message.child_frame_id)});
 }
 
+void BagCollector::add(const sensor_msgs::Imu& message) {
+  const CheckedYawRate checked = imu_.read(message);
+  if (!passes(topics_.imu, checked.reason)) return;
+  yaw_rates_.push_back({checked.yaw_rate, arrival(checked.yaw_rate.stamp)});
+}
+
+void BagCollector::take_velocity(const rosbag::MessageInstance& message) {
+  if (message.getDataType() == ros::message_traits::datatype<geometry_msgs::TwistStamped>()) {
+    add(GnssMessage(without_covariance(read<geometry_msgs::TwistStamped>(message))));
+  } else {
+    add(GnssMessage(read<geometry_msgs::TwistWithCovarianceStamped>(message)));
+  }
+}
+
+double BagCollector::arrival(double stamp) const {
+  return odometry_.empty() ? stamp : odometry_.back().stamp;
+}
+
 void BagCollector::note_restart(double stamp) {
   if (odometry_.empty()) return;
   const double last = odometry_.back().stamp;
@@ -96,7 +116,7 @@ void BagCollector::add(const GnssMessage& message) {
   const double stamp = header_of(message).stamp.toSec();
   for (const std::string& frame : frames_of(message))
     antennas_.in_base(frame);  // which sees whether it moves
-  received_.push_back({message, odometry_.empty() ? stamp : odometry_.back().stamp});
+  received_.push_back({message, arrival(stamp)});
 }
 
 void BagCollector::add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix) {
@@ -174,6 +194,7 @@ bool BagCollector::passes(const std::string& topic, Reason reason) {
 
 std::string BagCollector::topic_of(std::size_t kind) const {
   if (kind == kFixKind) return topics_.fix;
+  if (kind == kVelocityKind) return topics_.velocity;
   return kind == kEpochKind ? topics_.epoch : topics_.left + " and " + topics_.right;
 }
 

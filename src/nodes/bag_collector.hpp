@@ -16,6 +16,7 @@
 #include "nodes/bag_topics.hpp"
 #include "nodes/fix_pairing.hpp"
 #include "nodes/gnss_message.hpp"
+#include "nodes/imu_conversions.hpp"
 #include "nodes/odometry_reader.hpp"
 
 namespace multipath_localization {
@@ -34,6 +35,9 @@ struct Silence {
 class BagCollector {
  public:
   BagCollector(std::string file, const BagTopics& topics) : file_(std::move(file)), topics_(topics) {}
+  BagCollector(const BagCollector&) = delete;
+  BagCollector& operator=(const BagCollector&) = delete;
+  ~BagCollector() = default;
 
   /// Throws DriveError when odometry goes back in time, and for messages of a type or of a version of it that
   /// cannot be read.
@@ -57,6 +61,9 @@ class BagCollector {
   /// Where odometry was silent for so long that the localization node starts afresh.
   [[nodiscard]] const std::vector<Silence>& silences() const { return silences_; }
   [[nodiscard]] const std::vector<ReceivedMessage>& received() const { return received_; }
+  [[nodiscard]] const std::vector<RecordedYawRate>& yaw_rates() const { return yaw_rates_; }
+  /// Whether the bag's transforms tell how its IMU is mounted.
+  [[nodiscard]] bool knows_imu() const { return imu_.frame_known(); }
   /// What was left out of each kind of GNSS message.
   [[nodiscard]] const std::array<ReasonTally, kGnssKinds.size()>& left_out() const { return left_out_; }
   /// "TOPIC: REASON, N times" for what was left out.
@@ -70,6 +77,10 @@ class BagCollector {
   template <class Message>
   [[nodiscard]] Message read(const rosbag::MessageInstance& message) const;
   void add(const nav_msgs::Odometry& message);
+  void add(const sensor_msgs::Imu& message);
+  void take_velocity(const rosbag::MessageInstance& message);
+  /// When a message of that stamp came in: the stamp of the last odometry before it [s].
+  [[nodiscard]] double arrival(double stamp) const;
   void add(const GnssMessage& message);
   void add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix);
   void add(const tf2_msgs::TFMessage& message, bool is_static);
@@ -86,6 +97,8 @@ class BagCollector {
   OdometryReader reader_{{}, ""};
   FixPairing pairing_{GnssParameters{}.pair_tolerance};
   AntennaFrames antennas_{{}};
+  ImuReader imu_{[this](const std::string& frame) { return antennas_.rotation_in_base(frame); }};
+  std::vector<RecordedYawRate> yaw_rates_;
   std::string truth_frame_;
   std::vector<OdometryIncrement> odometry_;
   std::vector<Silence> silences_;

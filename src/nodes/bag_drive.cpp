@@ -172,6 +172,10 @@ Drive read_bag(const std::string& file, const BagTopics& topics, const std::opti
 
     drive.name = std::filesystem::path(file).stem().string();
     drive.odometry = collector.odometry();
+    drive.yaw_rates = collector.yaw_rates();
+    if (!collector.knows_imu()) {
+      drive.notices.emplace_back("no transform to the IMU's frame: it is taken to be level, with z upwards");
+    }
     note_silences(collector.silences(), drive);
     drive.truth = collector.truth();
     if (drive.truth.empty()) drive.notices.emplace_back("no truth: nothing is scored");

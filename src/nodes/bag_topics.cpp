@@ -1,7 +1,10 @@
 #include "nodes/bag_topics.hpp"
 
+#include <geometry_msgs/TwistStamped.h>
+#include <geometry_msgs/TwistWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <rosbag/view.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/NavSatFix.h>
 
 #include <algorithm>
@@ -19,6 +22,15 @@ namespace {
 const std::string kOdometry = ros::message_traits::datatype<nav_msgs::Odometry>();
 const std::string kFix = ros::message_traits::datatype<sensor_msgs::NavSatFix>();
 const std::string kEpoch = ros::message_traits::datatype<GnssEpoch>();
+const std::string kImu = ros::message_traits::datatype<sensor_msgs::Imu>();
+const std::string kVelocity = ros::message_traits::datatype<geometry_msgs::TwistWithCovarianceStamped>();
+const std::string kBareVelocity = ros::message_traits::datatype<geometry_msgs::TwistStamped>();
+
+/// Whether the last part of a topic's name is what drivers of ublox and NMEA receivers call the velocity.
+bool named_by_receiver(const std::string& topic) {
+  const std::string last = topic.substr(topic.rfind('/') + 1);
+  return last == "fix_velocity" || last == "vel";
+}
 
 /// The topics of a bag by type, and how the wanted ones are found among them.
 class TopicList {
@@ -58,6 +70,20 @@ class TopicList {
     return found;
   }
 
+  /// The same, or else the only topic of one of the types that passes, or else none.
+  template <class Passes>
+  [[nodiscard]] std::string named_or_single(const std::string& asked, const std::string& otherwise,
+                                            const std::vector<std::string>& types,
+                                            const Passes& passes) const {
+    std::string found = named(asked, otherwise, types);
+    if (!found.empty()) return found;
+    std::vector<std::string> all;
+    for (const auto& [topic, type] : types_) {
+      if (std::find(types.begin(), types.end(), type) != types.end() && passes(topic)) all.push_back(topic);
+    }
+    return all.size() == 1 ? all.front() : "";
+  }
+
   [[nodiscard]] DriveError missing(const std::string& what) const {
     return DriveError(file_ + ": no " + what + "; there are" + all());
   }
@@ -84,6 +110,9 @@ BagTopics find_topics(const rosbag::Bag& bag, const std::string& file, const Bag
   found.right = list.named(asked.right, "gps/right/fix", {kFix});
   found.fix = list.named_or_only(asked.fix, "gps/fix", kFix, {found.left, found.right});
   found.epoch = list.named_or_only(asked.epoch, "gnss/epoch", kEpoch);
+  found.imu = list.named_or_single(asked.imu, "imu/data", {kImu}, [](const std::string&) { return true; });
+  found.velocity =
+      list.named_or_single(asked.velocity, "gps/velocity", {kVelocity, kBareVelocity}, &named_by_receiver);
   found.odometry = list.named_or_only(asked.odometry, "odom", kOdometry, {found.truth});
   if (found.odometry.empty()) throw list.missing(kOdometry);
   const bool pair = !found.left.empty() && !found.right.empty();

@@ -15,6 +15,9 @@ struct BagTopics {
   std::string epoch;     ///< GnssEpoch: `gnss/epoch`, or the only one of that type, or none
   std::string left;      ///< NavSatFix of the left one of two antennas: `gps/left/fix`, or none
   std::string right;     ///< of the right one: `gps/right/fix`, or none
+  std::string imu;       ///< Imu: `imu/data`, or the only one of that type, or none
+  std::string velocity;  ///< TwistWithCovarianceStamped or TwistStamped: `gps/velocity`, or the only one that
+                         ///< is named as drivers of receivers name it, or none
 };
 
 /// The names of a bag's topics as they stand in it, empty where there is none. Throws DriveError, naming

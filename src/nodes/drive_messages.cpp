@@ -7,11 +7,14 @@
 #include "nodes/conversions.hpp"
 #include "nodes/earth_frame.hpp"
 #include "nodes/epoch_conversions.hpp"
+#include "nodes/imu_conversions.hpp"
+#include "nodes/velocity_conversions.hpp"
 
 namespace multipath_localization {
 
 std::vector<DriveEvent> events_of(const Drive& drive) {
   std::vector<DriveEvent> events;
+  for (const RecordedYawRate& recorded : drive.yaw_rates) events.push_back({recorded.arrival, &recorded});
   for (const OdometryIncrement& increment : drive.odometry) events.push_back({increment.stamp, &increment});
   for (const RecordedMeasurement& recorded : drive.measurements)
     events.push_back({recorded.arrival, &recorded});
@@ -63,6 +66,10 @@ std::vector<geometry_msgs::TransformStamped> DriveMessages::antennas_of(
 std::vector<TopicMessage> DriveMessages::of(const DriveEvent& event) {
   if (const auto* increment = std::get_if<const OdometryIncrement*>(&event.what)) return {of(**increment)};
   if (const auto* truth = std::get_if<const TruthSample*>(&event.what)) return of(**truth);
+  if (const auto* recorded = std::get_if<const RecordedYawRate*>(&event.what)) {
+    const YawRate& yaw_rate = (*recorded)->yaw_rate;
+    return {{"imu/data", to_message(yaw_rate, header(yaw_rate.stamp, frames_.base_link_frame))}};
+  }
   return of(std::get<const RecordedMeasurement*>(event.what)->measurement);
 }
 
@@ -84,6 +91,9 @@ std::vector<TopicMessage> DriveMessages::of(const Measurement& measurement) cons
   }
   if (const auto* epoch = std::get_if<PseudorangeEpoch>(&measurement)) {
     return {{"gnss/epoch", to_message(*epoch, map_, header(epoch->stamp, frames_.gps_frame))}};
+  }
+  if (const auto* velocity = std::get_if<GnssVelocity>(&measurement)) {
+    return {{"gps/velocity", to_message(*velocity, header(velocity->stamp, frames_.gps_frame))}};
   }
   const auto& [stamp, left, right] = std::get<DualAntennaFix>(measurement);
   return {{"gps/left/fix", to_message(left, map_, header(left.stamp, frames_.gps_left_frame))},

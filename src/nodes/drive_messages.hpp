@@ -1,7 +1,9 @@
 #pragma once
 
+#include <geometry_msgs/TwistWithCovarianceStamped.h>
 #include <geometry_msgs/Vector3Stamped.h>
 #include <nav_msgs/Odometry.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/NavSatFix.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -19,21 +21,26 @@ namespace multipath_localization {
 /// One thing that a drive holds and when it came in.
 struct DriveEvent {
   double time = 0.0;  ///< on the clock of the stamps [s]
-  std::variant<const OdometryIncrement*, const RecordedMeasurement*, const TruthSample*> what;
+  std::variant<const RecordedYawRate*, const OdometryIncrement*, const RecordedMeasurement*,
+               const TruthSample*>
+      what;
 };
 
-/// All that the drive holds by time, of one time odometry first, truth last, as `run_drive` takes them. They
-/// point into the drive.
+/// All that the drive holds by time, of one time yaw rates first, then odometry, truth last, as `run_drive`
+/// takes them. They point into the drive.
 std::vector<DriveEvent> events_of(const Drive& drive);
 
 /// A message and the topic it belongs on.
 struct TopicMessage {
   std::string topic;  ///< relative: "odom"
-  std::variant<nav_msgs::Odometry, sensor_msgs::NavSatFix, GnssEpoch, geometry_msgs::Vector3Stamped> message;
+  std::variant<nav_msgs::Odometry, sensor_msgs::NavSatFix, GnssEpoch, geometry_msgs::Vector3Stamped,
+               sensor_msgs::Imu, geometry_msgs::TwistWithCovarianceStamped>
+      message;
 };
 
 /// Turns what a drive holds into messages: `odom`, `gps/fix`, `gps/left/fix` and `gps/right/fix`,
-/// `gnss/epoch`, `truth` and where it says so `truth/bias` (z is 1 where fixes are biased).
+/// `gnss/epoch`, `gps/velocity`, `imu/data`, `truth` and where it says so `truth/bias` (z is 1 where fixes
+/// are biased).
 class DriveMessages {
  public:
   /// The stamp of a time of the drive [s].

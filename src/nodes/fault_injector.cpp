@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "multipath_localization/simulation/streams.hpp"
 #include "nodes/conversions.hpp"
 
 namespace multipath_localization {
@@ -13,6 +14,14 @@ constexpr double kTimeJump = 1.0;  ///< [s]
 
 bool same(const OdometryIncrement& a, const OdometryIncrement& b) {
   return a.speed == b.speed && a.yaw_rate == b.yaw_rate && a.lateral_speed == b.lateral_speed;
+}
+
+geometry_msgs::Vector3 vector_of(const Eigen::Vector3d& v) {
+  geometry_msgs::Vector3 message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
 }
 
 }  // namespace
@@ -47,11 +56,40 @@ std::optional<nav_msgs::Odometry> FaultInjector::take(const nav_msgs::Odometry& 
   return spoilt;
 }
 
+std::vector<sensor_msgs::Imu> FaultInjector::take(const sensor_msgs::Imu& imu) {
+  if (imu.header.stamp.isZero()) return {imu};
+  const double stamp = imu.header.stamp.toSec();
+  see(stamp, false);
+  const geometry_msgs::Vector3& rate = imu.angular_velocity;
+  if (const auto spoilt = gyro_faults_->spoil(stamp, {rate.x, rate.y, rate.z})) {
+    sensor_msgs::Imu message = imu;
+    message.angular_velocity = vector_of(spoilt->value);
+    imus_.send(message, stamp + spoilt->delay);
+  }
+  return imus_.take(now_);
+}
+
+std::vector<geometry_msgs::TwistWithCovarianceStamped> FaultInjector::take(
+    const geometry_msgs::TwistWithCovarianceStamped& velocity) {
+  if (velocity.header.stamp.isZero()) return {velocity};
+  const double stamp = velocity.header.stamp.toSec();
+  see(stamp, false);
+  const geometry_msgs::Vector3& told = velocity.twist.twist.linear;
+  if (const auto spoilt = velocity_faults_->spoil(stamp, {told.x, told.y, told.z})) {
+    geometry_msgs::TwistWithCovarianceStamped message = velocity;
+    message.twist.twist.linear = vector_of(spoilt->value);
+    velocities_.send(message, stamp + spoilt->delay);
+  }
+  return velocities_.take(now_);
+}
+
 std::string FaultInjector::active() const {
   std::string text;
   if (!fix_faults_) return "none";
-  for (const std::string& fault : fix_faults_->active(now_)) text += (text.empty() ? "" : "\n") + fault;
-  for (const std::string& fault : odometry_faults_->active(now_)) text += (text.empty() ? "" : "\n") + fault;
+  for (const auto& faults : {fix_faults_->active(now_), odometry_faults_->active(now_),
+                             gyro_faults_->active(now_), velocity_faults_->active(now_)}) {
+    for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
+  }
   return text.empty() ? "none" : text;
 }
 
@@ -64,6 +102,10 @@ void FaultInjector::begin(double stamp) {
   const auto seed = static_cast<std::uint64_t>(parameters_.seed);
   fix_faults_.emplace(parameters_.faults.fix, seed, stamp);
   odometry_faults_.emplace(parameters_.faults.odometry, seed, stamp);
+  gyro_faults_.emplace(parameters_.faults.gyro, "gyro", seed, kGyroFaultStream, stamp);
+  velocity_faults_.emplace(parameters_.faults.velocity, "velocity", seed, kVelocityFaultStream, stamp);
+  imus_ = {};
+  velocities_ = {};
   now_ = last_fix_ = stamp;
   taken_ = 0;
   taken_fixes_.clear();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <geometry_msgs/TwistWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/NavSatFix.h>
 
 #include <map>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "multipath_localization/core/geodesy.hpp"
+#include "multipath_localization/simulation/delivery_queue.hpp"
 #include "multipath_localization/simulation/faults.hpp"
 #include "nodes/datum_parameter.hpp"
 #include "nodes/odometry_reader.hpp"
@@ -42,6 +45,11 @@ class FaultInjector {
   std::optional<nav_msgs::Odometry> take(const nav_msgs::Odometry& odometry,
                                          std::vector<sensor_msgs::NavSatFix>& fixes);
 
+  /// The IMU's messages, or the receiver's velocities, that come out now that this one has come in.
+  std::vector<sensor_msgs::Imu> take(const sensor_msgs::Imu& imu);
+  std::vector<geometry_msgs::TwistWithCovarianceStamped> take(
+      const geometry_msgs::TwistWithCovarianceStamped& velocity);
+
   /// A line for each fault that is there now, "none" for none.
   [[nodiscard]] std::string active() const;
 
@@ -57,6 +65,10 @@ class FaultInjector {
   FaultInjectorParameters parameters_;
   std::optional<FixFaults> fix_faults_;
   std::optional<OdometryFaults> odometry_faults_;
+  std::optional<SensorFaults> gyro_faults_;
+  std::optional<SensorFaults> velocity_faults_;
+  DeliveryQueue<sensor_msgs::Imu> imus_;
+  DeliveryQueue<geometry_msgs::TwistWithCovarianceStamped> velocities_;
   OdometryReader reader_{{}, ""};
   std::optional<LocalFrame> map_;
   double now_ = 0.0;

@@ -35,6 +35,13 @@ class Reading {
     return {checked.reason, checked.epoch};
   }
 
+  CheckedMeasurement operator()(const geometry_msgs::TwistWithCovarianceStamped& message) const {
+    const std::optional<Eigen::Vector2d> antenna = lone_antenna(message.header.frame_id);
+    if (!antenna) return {Reason::kInvalidFrame, {}};
+    const CheckedVelocity checked = to_velocity(message, parameters_.velocity, *antenna);
+    return {checked.reason, checked.velocity};
+  }
+
  private:
   [[nodiscard]] std::optional<Eigen::Vector2d> lone_antenna(const std::string& frame) const {
     const std::optional<Eigen::Vector2d> antenna = antenna_in_base_(frame);
@@ -69,9 +76,10 @@ void GnssParameters::fields(ParameterVisitor& field) {
   field("pair_tolerance", pair_tolerance, {0.0, 1.0}, "s",
         "fixes of the left and the right antenna whose stamps differ by more are of two instants");
   field("delay", delay, {-2.0, 2.0}, "s",
-        "fixes and epochs are of this long before their stamps; tune_from_bag tells");
+        "fixes, epochs and velocities are of this long before their stamps; tune_from_bag tells");
   field.group("fix", fix, "how fixes are read");
   field.group("epoch", epoch, "how epochs of pseudoranges are read");
+  field.group("velocity", velocity, "how velocities of a receiver are read");
 }
 
 Eigen::Vector2d GnssParameters::antenna_otherwise() const {
@@ -100,6 +108,9 @@ double declared_sigma(const GnssMessage& message) {
   if (const auto* pair = std::get_if<FixPair>(&message)) {
     return std::hypot(declared_sigma(pair->left), declared_sigma(pair->right)) * std::sqrt(0.5);
   }
+  if (const auto* velocity = std::get_if<geometry_msgs::TwistWithCovarianceStamped>(&message)) {
+    return declared_sigma(*velocity);
+  }
   return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -116,6 +127,9 @@ std::size_t satellites_of(const GnssMessage& message) {
 Reason check(const GnssMessage& message, const GnssParameters& parameters) {
   if (const auto* epoch = std::get_if<GnssEpoch>(&message)) return check(*epoch, parameters.epoch);
   if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return check(*fix, parameters.fix);
+  if (const auto* velocity = std::get_if<geometry_msgs::TwistWithCovarianceStamped>(&message)) {
+    return check(*velocity, parameters.velocity);
+  }
   const auto& pair = std::get<FixPair>(message);
   const Reason left = check(pair.left, parameters.fix);
   return left == Reason::kAccepted ? check(pair.right, parameters.fix) : left;
@@ -124,7 +138,8 @@ Reason check(const GnssMessage& message, const GnssParameters& parameters) {
 std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameters& parameters) {
   if (const auto* epoch = std::get_if<GnssEpoch>(&message)) return solve_geodetic(*epoch, parameters.epoch);
   if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return to_geodetic(*fix);
-  return to_geodetic(std::get<FixPair>(message).left);
+  if (const auto* pair = std::get_if<FixPair>(&message)) return to_geodetic(pair->left);
+  return std::nullopt;
 }
 
 CheckedMeasurement to_measurement(const GnssMessage& message, const LocalFrame& map,

@@ -12,16 +12,18 @@
 
 #include "nodes/conversions.hpp"
 #include "nodes/epoch_conversions.hpp"
+#include "nodes/velocity_conversions.hpp"
 
 namespace multipath_localization {
 
 /// What comes in of GNSS. The index is that of what becomes of it, in Measurement.
-using GnssMessage = std::variant<sensor_msgs::NavSatFix, FixPair, GnssEpoch>;
+using GnssMessage =
+    std::variant<sensor_msgs::NavSatFix, FixPair, GnssEpoch, geometry_msgs::TwistWithCovarianceStamped>;
 
 /// Names of these kinds, by index.
-constexpr std::array<std::string_view, std::variant_size_v<GnssMessage>> kGnssKinds = {"fix", "dual",
-                                                                                       "epoch"};
-constexpr std::size_t kFixKind = 0, kDualKind = 1, kEpochKind = 2;
+constexpr std::array<std::string_view, std::variant_size_v<GnssMessage>> kGnssKinds = {"fix", "dual", "epoch",
+                                                                                       "velocity"};
+constexpr std::size_t kFixKind = 0, kDualKind = 1, kEpochKind = 2, kVelocityKind = 3;
 using UsedKinds = std::array<bool, kGnssKinds.size()>;
 static_assert(std::variant_size_v<Measurement> == kGnssKinds.size());
 
@@ -33,6 +35,7 @@ struct GnssParameters {
   double delay = 0.0;
   FixParameters fix;
   EpochParameters epoch;
+  VelocityParameters velocity;
 
   /// Where a lone antenna is that tf does not place on the robot [m].
   [[nodiscard]] Eigen::Vector2d antenna_otherwise() const;
@@ -68,8 +71,8 @@ std::vector<std::string> frames_of(const GnssMessage& message);
 /// Of a pair the later one's.
 const std_msgs::Header& header_of(const GnssMessage& message);
 
-/// Root of the mean horizontal variance as declared, of a pair over both [m]; NaN where none is, as for an
-/// epoch.
+/// Root of the mean horizontal variance as declared, of a pair over both [m], of a velocity [m/s]; NaN where
+/// none is, as for an epoch.
 double declared_sigma(const GnssMessage& message);
 
 /// Number of pseudoranges of an epoch, 0 for fixes.
@@ -80,12 +83,12 @@ std::size_t satellites_of(const GnssMessage& message);
 Reason check(const GnssMessage& message, const GnssParameters& parameters);
 
 /// Where a message that passed `check` puts the antenna, of a pair the left one; nothing for an epoch that
-/// does not tell.
+/// does not tell, and for a velocity.
 std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameters& parameters);
 
-/// Reads a message by the tables of `to_fix`, `to_dual` and `to_epoch`. An antenna whose frame is unknown is
-/// taken to be where `antenna` says, by default at the base, unless its transform is required or it is one of
-/// two.
+/// Reads a message by the tables of `to_fix`, `to_dual`, `to_epoch` and `to_velocity`. An antenna whose frame
+/// is unknown is taken to be where `antenna` says, by default at the base, unless its transform is required
+/// or it is one of two.
 CheckedMeasurement to_measurement(const GnssMessage& message, const LocalFrame& map,
                                   const GnssParameters& parameters, const AntennaFinder& antenna_in_base);
 

@@ -44,6 +44,8 @@ class InputMonitor {
   [[nodiscard]] double silence() const { return (ros::WallTime::now() - last_).toSec(); }
   /// Whether that is longer than `bound` [s] and than three of the intervals at which it comes.
   [[nodiscard]] bool silent(double bound) const;
+  /// At which messages come, 0 before the second one [Hz].
+  [[nodiscard]] double frequency() const { return interval_ > 0.0 ? 1.0 / interval_ : 0.0; }
   [[nodiscard]] bool seen() const { return messages_ > 0; }
   [[nodiscard]] bool awaited() const { return awaited_; }
   /// Since the start.

@@ -33,15 +33,10 @@ unsigned char level_of(Trust trust) {
 
 }  // namespace
 
-LocalizationDiagnostics::LocalizationDiagnostics(const GnssInputs& gnss, const InputMonitor& odometry,
-                                                 const Localizer& localizer, const TfWatch& tf,
-                                                 Backlog& backlog, const LocalizationParameters& parameters)
-    : gnss_(gnss),
-      odometry_(odometry),
-      localizer_(localizer),
-      tf_(tf),
-      backlog_(backlog),
-      parameters_(parameters) {
+LocalizationDiagnostics::LocalizationDiagnostics(const LocalizationInputs& inputs, const Localizer& localizer,
+                                                 const TfWatch& tf, Backlog& backlog,
+                                                 const LocalizationParameters& parameters)
+    : inputs_(inputs), localizer_(localizer), tf_(tf), backlog_(backlog), parameters_(parameters) {
   updater_.setHardwareID("none");
   updater_.add("odometry", this, &LocalizationDiagnostics::report_odometry);
   updater_.add("filter", this, &LocalizationDiagnostics::report_filter);
@@ -50,10 +45,14 @@ LocalizationDiagnostics::LocalizationDiagnostics(const GnssInputs& gnss, const I
 
 void LocalizationDiagnostics::report() {
   for (std::size_t kind = 0; kind < kGnssKinds.size(); ++kind) {
-    const InputMonitor& input = gnss_.of(kind);
+    const InputMonitor& input = inputs_.gnss.of(kind);
     if (figures_[kind].shown || (!input.awaited() && !input.seen())) continue;
     figures_[kind].shown = true;
     updater_.add(std::string(kGnssKinds[kind]), [this, kind](Status& status) { report_gnss(status, kind); });
+  }
+  if (!gyro_shown_ && inputs_.gyro.monitor().seen()) {
+    gyro_shown_ = true;
+    updater_.add("gyro", this, &LocalizationDiagnostics::report_gyro);
   }
   updater_.force_update();
 }
@@ -82,7 +81,7 @@ void LocalizationDiagnostics::Figures::tell(Status& status) const {
 }
 
 void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
-  const InputMonitor& input = gnss_.of(kind);
+  const InputMonitor& input = inputs_.gnss.of(kind);
   summarise_input(status, input);
   const std::optional<FrozenReceiver>& frozen = localizer_.frozen();
   if (kind == kFixKind && frozen && !input.silent(kLongSilence)) {
@@ -92,7 +91,7 @@ void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
   }
   if (!input.awaited()) {
     status.summary(DiagnosticStatus::OK, parameters_.estimator + " has no use for it");
-  } else if (!input.seen() && !gnss_.silent(kLongSilence)) {
+  } else if (!input.seen() && !inputs_.gnss.silent(kLongSilence)) {
     status.summary(DiagnosticStatus::OK, "does not come and is not needed");
   } else if (const std::string sigmas = sigmas_told(figures_[kind].last);
              status.level == DiagnosticStatus::OK && !sigmas.empty()) {
@@ -102,12 +101,18 @@ void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
 }
 
 void LocalizationDiagnostics::report_odometry(Status& status) {
-  summarise_input(status, odometry_);
+  summarise_input(status, inputs_.odometry);
   if (localizer_.mirrored()) {
     status.summary(
         DiagnosticStatus::ERROR,
         "turns the other way round than the fixes: mirrored, or NED; yaw is to be counter-clockwise");
   }
+}
+
+void LocalizationDiagnostics::report_gyro(Status& status) {
+  const InputMonitor::Standing standing = inputs_.gyro.standing(localizer_.gyro());
+  summarise_input(status, inputs_.gyro.monitor());
+  status.summary(standing.sound ? DiagnosticStatus::OK : DiagnosticStatus::WARN, standing.sentence);
 }
 
 void LocalizationDiagnostics::report_filter(Status& status) {

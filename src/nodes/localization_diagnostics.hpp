@@ -11,17 +11,25 @@
 #include "multipath_localization/estimators/localizer.hpp"
 #include "nodes/backlog.hpp"
 #include "nodes/gnss_inputs.hpp"
+#include "nodes/gyro_input.hpp"
 #include "nodes/tf_watch.hpp"
 
 namespace multipath_localization {
 
-/// Statuses on /diagnostics, each one sentence and its figures: odometry, filter, tf, and for each kind of
-/// GnssMessage that the estimator uses or that is published one of its name.
+/// All that comes in.
+struct LocalizationInputs {
+  const GnssInputs& gnss;
+  const InputMonitor& odometry;
+  const GyroInput& gyro;
+};
+
+/// Statuses on /diagnostics, each one sentence and its figures: odometry, filter, tf, once there is one the
+/// gyro, and for each kind of GnssMessage that the estimator uses or that is published one of its name.
 class LocalizationDiagnostics {
  public:
   /// Looks at its arguments whenever it reports; they have to outlive it.
-  LocalizationDiagnostics(const GnssInputs& gnss, const InputMonitor& odometry, const Localizer& localizer,
-                          const TfWatch& tf, Backlog& backlog, const LocalizationParameters& parameters);
+  LocalizationDiagnostics(const LocalizationInputs& inputs, const Localizer& localizer, const TfWatch& tf,
+                          Backlog& backlog, const LocalizationParameters& parameters);
 
   /// Publishes all. To be called at a steady rate.
   void report();
@@ -49,16 +57,17 @@ class LocalizationDiagnostics {
 
   void report_gnss(Status& status, std::size_t kind);
   void report_odometry(Status& status);
+  void report_gyro(Status& status);
   void report_filter(Status& status);
   void report_tf(Status& status);
 
-  const GnssInputs& gnss_;
-  const InputMonitor& odometry_;
+  LocalizationInputs inputs_;
   const Localizer& localizer_;
   const TfWatch& tf_;
   Backlog& backlog_;
   const LocalizationParameters& parameters_;
   std::array<Figures, kGnssKinds.size()> figures_;
+  bool gyro_shown_ = false;
   unsigned poses_ = 0;
   double slowest_update_ = 0.0;
   std::string note_;

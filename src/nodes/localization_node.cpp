@@ -39,7 +39,10 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
           [this](const sensor_msgs::NavSatFix& fix) { on_unpaired(fix); }),
       odometry_input_(
           "odom", {node.subscribe("odom", kQueue, &LocalizationNode::on_odometry, this, at_once())}, true),
-      diagnostics_(gnss_, odometry_input_, localizer_, tf_, backlog_, parameters_),
+      gyro_input_(
+          node, [this](const std::string& frame) { return tf_.antennas().rotation_in_base(frame); },
+          [this](const YawRate& yaw_rate) { on_yaw_rate(yaw_rate); }),
+      diagnostics_({gnss_, odometry_input_, gyro_input_}, localizer_, tf_, backlog_, parameters_),
       reconfiguration_(private_node, [this](ParameterVisitor& field) { tune(field); }),
       backlog_(parameters_.max_lag) {
   initial_pose_ = node.subscribe("initialpose", 5, &LocalizationNode::on_pose, this);
@@ -53,8 +56,12 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
         watch_clock();
         if (enabled_) map_to_odom_.keep_up(ros::Time::now(), parameters_.odometry.max_gap);
       });
-  diagnostics_timer_ = node.createWallTimer(ros::WallDuration(kDiagnosticsEvery),
-                                            [this](const ros::WallTimerEvent&) { diagnostics_.report(); });
+  diagnostics_timer_ =
+      node.createWallTimer(ros::WallDuration(kDiagnosticsEvery), [this](const ros::WallTimerEvent&) {
+        diagnostics_.report();
+        gnss_.tell_new();
+        gyro_input_.tell(localizer_.gyro());
+      });
   waiting_timer_ = node.createWallTimer(ros::WallDuration(kTellEvery),
                                         [this](const ros::WallTimerEvent&) { tell_what_is_missing(); });
   outputs_.publish_changed_state(localizer_, ros::Time());

@@ -19,6 +19,7 @@
 #include "nodes/estimate_messages.hpp"
 #include "nodes/frame_patience.hpp"
 #include "nodes/gnss_inputs.hpp"
+#include "nodes/gyro_input.hpp"
 #include "nodes/localization_diagnostics.hpp"
 #include "nodes/localization_outputs.hpp"
 #include "nodes/localization_parameters.hpp"
@@ -30,7 +31,7 @@
 
 namespace multipath_localization {
 
-/// GNSS and odometry in, the pose in map out, on the stamps of the messages alone.
+/// GNSS, odometry and yaw rates in, the pose in map out, on the stamps of the messages alone.
 class LocalizationNode {
  public:
   LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node, const LocalizationSettings& settings);
@@ -45,6 +46,9 @@ class LocalizationNode {
   };
 
   void on_odometry(const nav_msgs::Odometry::ConstPtr& message);
+  void on_yaw_rate(const YawRate& yaw_rate) {
+    if (enabled_) localizer_.add(yaw_rate);
+  }
   void on_gnss(const GnssMessage& message);
   void on_unpaired(const sensor_msgs::NavSatFix& fix);
   void on_pose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr& message) { set_pose(*message); }
@@ -111,6 +115,7 @@ class LocalizationNode {
   UsedKinds used_;
   GnssInputs gnss_;
   InputMonitor odometry_input_;
+  GyroInput gyro_input_;
   LocalizationDiagnostics diagnostics_;
 
   Reconfiguration reconfiguration_;

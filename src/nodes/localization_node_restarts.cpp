@@ -144,6 +144,7 @@ void LocalizationNode::tell_what_is_missing() {
 void LocalizationNode::tell_sums() const {
   std::vector<std::string> sums = gnss_.sums();
   sums.push_back(odometry_input_.sum());
+  sums.push_back(gyro_input_.monitor().sum());
   for (const std::string& sum : sums) {
     if (!sum.empty()) std::cerr << ros::this_node::getName() << ": " << sum << "\n";
   }

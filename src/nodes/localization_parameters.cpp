@@ -91,8 +91,8 @@ LocalizationSettings LocalizationSettings::from(const YAML::Node& source) {
 }
 
 UsedKinds LocalizationSettings::used_kinds() const {
-  const std::array<Measurement, std::variant_size_v<Measurement>> empty = {GnssFix{}, DualAntennaFix{},
-                                                                           PseudorangeEpoch{}};
+  const std::array<Measurement, std::variant_size_v<Measurement>> empty = {
+      GnssFix{}, DualAntennaFix{}, PseudorangeEpoch{}, GnssVelocity{}};
   UsedKinds used{};
   for (std::size_t kind = 0; kind < used.size(); ++kind) {
     const std::unique_ptr<Estimator> estimator = make_estimator();

@@ -2,6 +2,7 @@
 
 #include "nodes/conversions.hpp"
 #include "nodes/epoch_conversions.hpp"
+#include "nodes/velocity_conversions.hpp"
 
 namespace multipath_localization {
 
@@ -24,6 +25,9 @@ SimulatedGnss::SimulatedGnss(ros::NodeHandle node, const SimulatorParameters& si
   if (has_pair(simulator)) {
     left_ = node.advertise<sensor_msgs::NavSatFix>("gps/left/fix", kQueue);
     right_ = node.advertise<sensor_msgs::NavSatFix>("gps/right/fix", kQueue);
+  }
+  if (simulator.velocity.rate > 0.0) {
+    velocity_ = node.advertise<geometry_msgs::TwistWithCovarianceStamped>("gps/velocity", kQueue);
   }
   place_antennas(simulator);
 }
@@ -51,6 +55,9 @@ void SimulatedGnss::publish(const Measurement& measurement, std::optional<int> s
   if (const auto* fix = std::get_if<GnssFix>(&measurement)) publish(*fix, status);
   if (const auto* fixes = std::get_if<DualAntennaFix>(&measurement)) publish(*fixes);
   if (const auto* epoch = std::get_if<PseudorangeEpoch>(&measurement)) publish(*epoch);
+  if (const auto* velocity = std::get_if<GnssVelocity>(&measurement)) {
+    velocity_.publish(to_message(*velocity, header(velocity->stamp, frames_.gps_frame)));
+  }
 }
 
 void SimulatedGnss::publish(const GnssFix& fix, std::optional<int> status) {

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "nodes/conversions.hpp"
+#include "nodes/imu_conversions.hpp"
 #include "nodes/world_markers.hpp"
 
 namespace multipath_localization {
@@ -69,6 +70,7 @@ SimulatorNode::SimulatorNode(const ros::NodeHandle& node, const ros::NodeHandle&
 
 void SimulatorNode::advertise(ros::NodeHandle& node, ros::NodeHandle& private_node) {
   odometry_ = node.advertise<nav_msgs::Odometry>("odom", 200);
+  if (parameters_.simulator.gyro.rate > 0.0) imu_ = node.advertise<sensor_msgs::Imu>("imu/data", 200);
   truth_ = node.advertise<nav_msgs::Odometry>("truth", 200);
   bias_ = node.advertise<geometry_msgs::Vector3Stamped>("truth/bias", 200);
   markers_ = private_node.advertise<visualization_msgs::MarkerArray>("markers", 1, true);
@@ -105,6 +107,9 @@ void SimulatorNode::step() {
     rosgraph_msgs::Clock message;
     message.clock = stamp(simulator_.time());
     clock_.publish(message);
+  }
+  for (const YawRate& yaw_rate : readings.yaw_rates) {
+    imu_.publish(to_message(yaw_rate, header(stamp(yaw_rate.stamp), parameters_.frames.base_link_frame)));
   }
   if (readings.odometry) {
     publish_odometry(*readings.odometry);

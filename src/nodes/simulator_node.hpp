@@ -52,7 +52,7 @@ class SimulatorNode {
   double command_time_ = 0.0;  ///< simulated, of its arrival
   Pose2 base_in_odom_;
 
-  ros::Publisher odometry_, truth_, bias_, clock_, markers_;
+  ros::Publisher odometry_, imu_, truth_, bias_, clock_, markers_;
   ros::Subscriber steering_, cmd_vel_;
   tf2_ros::TransformBroadcaster transforms_;
   ros::WallTimer timer_;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "multipath_localization/simulation/streams.hpp"
+
 namespace multipath_localization {
 
 void SimulatorParameters::fields(ParameterVisitor& field) {
@@ -13,6 +15,8 @@ void SimulatorParameters::fields(ParameterVisitor& field) {
   field.group("odometer", odometer, "wheel odometry and gyro");
   field.group("receiver", receiver, "GNSS receiver");
   field.group("dual_receiver", dual_receiver, "a pair of RTK receivers, to tell the heading too");
+  field.group("gyro", gyro, "a gyro beside the odometry");
+  field.group("velocity", velocity, "velocities by Doppler, of the antenna of `receiver`");
   field.group("constellations", constellations, "satellites: those that fly");
   field.group("sky", sky, "satellites: how their signals spread among the buildings");
   field.group("raw_receiver", raw_receiver, "satellites: how the receiver tracks them");
@@ -29,7 +33,11 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
       dual_receiver_(parameters.dual_receiver, parameters.outages, seed),
       receiver_(parameters.receiver, parameters.outages, seed),
       fix_faults_(parameters.faults.fix, seed),
-      odometry_faults_(parameters.faults.odometry, seed) {
+      odometry_faults_(parameters.faults.odometry, seed),
+      gyro_(parameters.gyro, seed),
+      velocity_receiver_(parameters.velocity, seed),
+      gyro_faults_(parameters.faults.gyro, "gyro", seed, kGyroFaultStream),
+      velocity_faults_(parameters.faults.velocity, "velocity", seed, kVelocityFaultStream) {
   for (const ZoneParameters& zone : parameters_.zones) {
     zones_.emplace_back(zone, seed, static_cast<std::uint32_t>(zones_.size()));
   }
@@ -81,12 +89,36 @@ std::vector<Measurement> Simulator::spoilt(const std::vector<Measurement>& deliv
   return measurements;
 }
 
+std::vector<YawRate> Simulator::turn_rates() {
+  if (const std::optional<YawRate> read = gyro_.step(robot_.yaw_rate(), time())) {
+    const auto spoilt = gyro_faults_.spoil(read->stamp, {0.0, 0.0, read->rate});
+    if (spoilt) yaw_rates_under_way_.send({read->stamp, spoilt->value.z()}, time() + spoilt->delay);
+  }
+  return yaw_rates_under_way_.take(time());
+}
+
+std::vector<GnssVelocity> Simulator::velocities(double duration) {
+  const Eigen::Vector2d antenna = receiver_.antenna_in_base();
+  const Eigen::Vector2d swing = robot_.yaw_rate() * Eigen::Vector2d(-antenna.y(), antenna.x());
+  const Eigen::Vector2d velocity =
+      rotation(robot_.pose().yaw) * (Eigen::Vector2d(robot_.speed(), robot_.lateral_speed()) + swing);
+  for (GnssVelocity read : velocity_receiver_.step(velocity, in_shadow(), time(), duration)) {
+    const auto spoilt = velocity_faults_.spoil(read.stamp, {read.velocity.x(), read.velocity.y(), 0.0});
+    if (!spoilt || outage_at(parameters_.outages, read.stamp)) continue;
+    read.velocity = spoilt->value.head<2>();
+    read.antenna_in_base = antenna;
+    velocities_under_way_.send(read, time() + spoilt->delay);
+  }
+  return velocities_under_way_.take(time());
+}
+
 Readings Simulator::step(const MotionCommand& u) {
   ++steps_;
   const double duration = parameters_.time_step;
   for (Zone& zone : zones_) zone.step(duration);
   robot_.step(u, duration);
   Readings readings;
+  readings.yaw_rates = turn_rates();
   readings.odometry = odometer_.step(robot_, time(), duration);
   if (readings.odometry) readings.odometry = odometry_faults_.spoil(*readings.odometry);
   readings.measurements = spoilt(receive(duration));
@@ -94,6 +126,7 @@ Readings Simulator::step(const MotionCommand& u) {
   for (const DualAntennaFix& fixes : dual_receiver_.step(robot_.pose(), bias_at, time())) {
     readings.measurements.emplace_back(fixes);
   }
+  for (const GnssVelocity& velocity : velocities(duration)) readings.measurements.emplace_back(velocity);
   return readings;
 }
 

@@ -20,6 +20,9 @@ po::options_description options_of(ObservationRequest& request) {
   add("bag", po::value<std::string>(), "a bag; left out: the running robot");
   add("fix-topic", text(request.fix_topic), "of sensor_msgs/NavSatFix");
   add("odom-topic", text(request.odometry_topic), "of nav_msgs/Odometry");
+  add("imu-topic", text(request.imu_topic), "of sensor_msgs/Imu, where there is one");
+  add("velocity-topic", text(request.velocity_topic),
+      "of geometry_msgs/TwistWithCovarianceStamped or TwistStamped, where there is one");
   add("params", text(request.parameters), "parameters of localization_node, for frames and datum");
   add("node", text(request.node), "live: the node whose parameters count where --params is not given");
   add("seconds", po::value(&request.seconds)->default_value(request.seconds),

@@ -81,6 +81,18 @@ std::vector<NamedStream> open_streams(const Options& options) {
   return rows;
 }
 
+/// Leaves inputs of a recording aside.
+void leave_aside(const RandomExtras& inputs, Drive& drive) {
+  if (inputs.gyro) drive.yaw_rates.clear();
+  if (!inputs.velocity) return;
+  auto& all = drive.measurements;
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [](const RecordedMeasurement& recorded) {
+                             return std::holds_alternative<GnssVelocity>(recorded.measurement);
+                           }),
+            all.end());
+}
+
 /// Whose parameters count in this evaluation.
 std::vector<std::string> owners_run(const Batch& batch, const Stream& stream) {
   std::vector<std::string> owners = {kLocalizer};
@@ -184,13 +196,14 @@ std::vector<RunRecord> make_random_runs(const Options& options) {
   Stream recording = Drive();
   const std::vector<std::string> parameters = settle_parameters(options.assignments, batch, recording);
   ProgressBar bar(batch.seeds, isatty(STDERR_FILENO) != 0);
-  return run_random(batch, parameters, [&](std::size_t i, double part) { bar.update(i, part); });
+  return run_random(batch, options.extras, parameters,
+                    [&](std::size_t i, double part) { bar.update(i, part); });
 }
 
 int write_random_drives(const Options& options) {
   const std::uint64_t first = options.batch.first_seed;
   for (std::uint64_t seed = first; seed < first + options.batch.seeds; ++seed) {
-    const RandomDrive made = random_drive(seed);
+    const RandomDrive made = random_drive(seed, options.extras);
     const std::string directory = (fs::path(options.write_directory) / made.drive.name).string();
     write_drive(made.drive, directory);
     std::cout << directory << ": " << describe(made.robot) << "\n";
@@ -211,9 +224,10 @@ int evaluate(const Options& options) {
   std::vector<NamedStream> streams = open_streams(options);
   const Stream& first = streams.front().stream;
   const std::string title = std::visit([](const auto& s) { return s.name; }, first);
-  for (const NamedStream& named : streams) {
-    const auto* drive = std::get_if<Drive>(&named.stream);
+  for (NamedStream& named : streams) {
+    auto* drive = std::get_if<Drive>(&named.stream);
     if (drive == nullptr) continue;
+    leave_aside(options.left_aside, *drive);
     for (const std::string& notice : drive->notices) std::cerr << drive->name << ": " << notice << "\n";
   }
   const std::vector<RunRecord> runs = make_runs(options, streams);

@@ -38,6 +38,31 @@ TEST(DriveFiles, GiveTheDriveBackThatWasWritten) {
   EXPECT_EQ(read.truth.back().shadow, written.truth.back().shadow);
 }
 
+TEST(DriveFiles, GiveYawRatesAndVelocitiesBack) {
+  const TemporaryFolder folder;
+  Drive written = random_drive(7, {true, true}).drive;
+  for (RecordedYawRate& recorded : written.yaw_rates) recorded.arrival += 0.1;
+  write_drive(written, folder.path() + "/seven");
+  const Drive read = read_drive(folder.path() + "/seven");
+  ASSERT_EQ(read.yaw_rates.size(), written.yaw_rates.size());
+  ASSERT_EQ(read.measurements.size(), written.measurements.size());
+  for (std::size_t i = 0; i < read.yaw_rates.size(); ++i) {
+    ASSERT_EQ(read.yaw_rates[i].yaw_rate.stamp, written.yaw_rates[i].yaw_rate.stamp);
+    ASSERT_EQ(read.yaw_rates[i].yaw_rate.rate, written.yaw_rates[i].yaw_rate.rate);
+    ASSERT_EQ(read.yaw_rates[i].arrival, written.yaw_rates[i].arrival);
+  }
+  const auto last = [](const Drive& drive) {
+    GnssVelocity found;
+    for (const RecordedMeasurement& recorded : drive.measurements) {
+      if (const auto* velocity = std::get_if<GnssVelocity>(&recorded.measurement)) found = *velocity;
+    }
+    return found;
+  };
+  EXPECT_GT(last(read).stamp, 0.0);
+  EXPECT_EQ(last(read).velocity, last(written).velocity);
+  EXPECT_NEAR((last(read).covariance - last(written).covariance).norm(), 0.0, 1e-12);
+}
+
 TEST(DriveFiles, FindsDrivesAndSaysWhatIsNone) {
   const TemporaryFolder folder;
   const Drive drive = random_drive(7).drive;

@@ -150,5 +150,16 @@ TEST(Quantile, IsLinearBetweenOrderStatistics) {
   EXPECT_DOUBLE_EQ(quantile({7.0}, 0.95), 7.0);
 }
 
+TEST(WayToAlignment, IsTheWayDrivenUntilAnEstimateIsAligned) {
+  std::vector<Epoch> epochs(5);
+  for (std::size_t i = 0; i < epochs.size(); ++i)
+    epochs[i].truth.base_in_map = {2.0 * static_cast<double>(i), 0.0, 0.0};
+  EXPECT_FALSE(way_to_alignment(epochs));
+  epochs[3].aligned = true;
+  EXPECT_FALSE(way_to_alignment(epochs)) << "an estimate that is none";
+  epochs[3].valid = true;
+  EXPECT_EQ(way_to_alignment(epochs), 6.0);
+}
+
 }  // namespace
 }  // namespace multipath_localization

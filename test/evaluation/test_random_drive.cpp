@@ -39,5 +39,16 @@ TEST(RandomDrive, HasTruthOfEveryFixAndOfEveryOneWhatIsWrongWithIt) {
   }
 }
 
+TEST(RandomDrive, StaysTheSameRobotWithAGyroAndVelocities) {
+  const RandomDrive without = random_drive(9);
+  const RandomDrive with = random_drive(9, {true, true});
+  EXPECT_TRUE(without.drive.yaw_rates.empty());
+  EXPECT_GT(with.drive.yaw_rates.size(), 1000u);
+  EXPECT_GT(with.drive.measurements.size(), without.drive.measurements.size());
+  EXPECT_EQ(with.drive.odometry.back().yaw_rate, without.drive.odometry.back().yaw_rate);
+  ASSERT_EQ(with.drive.fixes().size(), without.drive.fixes().size());
+  EXPECT_EQ(with.drive.fixes().back().position, without.drive.fixes().back().position);
+}
+
 }  // namespace
 }  // namespace multipath_localization

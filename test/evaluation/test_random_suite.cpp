@@ -19,13 +19,13 @@ Batch batch_of(std::size_t jobs) {
 
 /// The runs as JSON, without their processor times.
 std::string results(std::size_t jobs) {
-  std::vector<RunRecord> runs = run_random(batch_of(jobs), {"{}", "{}"}, nullptr);
+  std::vector<RunRecord> runs = run_random(batch_of(jobs), {}, {"{}", "{}"}, nullptr);
   for (RunRecord& run : runs) run.cpu = 0.0;
   return to_json(runs);
 }
 
 TEST(RandomSuite, RunsEveryEstimatorAndTheOracleWithEverySeed) {
-  const std::vector<RunRecord> runs = run_random(batch_of(1), {"{}", "{}"}, nullptr);
+  const std::vector<RunRecord> runs = run_random(batch_of(1), {}, {"{}", "{}"}, nullptr);
   ASSERT_EQ(runs.size(), 9u);
   EXPECT_EQ(runs[0].estimator, "gated_ekf");
   EXPECT_EQ(runs[3].estimator, "two_stage_ekf");

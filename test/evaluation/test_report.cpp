@@ -26,11 +26,26 @@ TEST(ToJson, HasTheContractsKeysAndNullsForWhatDoesNotApply) {
   ASSERT_EQ(list.size(), 1u);
   std::vector<std::string> keys;
   for (const auto& entry : list[0]) keys.push_back(entry.first.as<std::string>());
-  EXPECT_EQ(keys,
-            (std::vector<std::string>{"source", "estimator", "seed", "epochs", "mean_m", "rmse_m", "median_m",
-                                      "p95_m", "max_m", "heading_rmse_rad", "rmse_shadow_m", "rmse_open_m",
-                                      "longest_off_s", "longest_beyond_3_sigma_s", "nees_mean", "cpu_s",
-                                      "fix_rmse_m", "fix_rmse_shadow_m", "fix_rmse_open_m"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"source",
+                                            "estimator",
+                                            "seed",
+                                            "epochs",
+                                            "mean_m",
+                                            "rmse_m",
+                                            "median_m",
+                                            "p95_m",
+                                            "max_m",
+                                            "heading_rmse_rad",
+                                            "rmse_shadow_m",
+                                            "rmse_open_m",
+                                            "longest_off_s",
+                                            "longest_beyond_3_sigma_s",
+                                            "way_to_alignment_m",
+                                            "nees_mean",
+                                            "cpu_s",
+                                            "fix_rmse_m",
+                                            "fix_rmse_shadow_m",
+                                            "fix_rmse_open_m"}));
   EXPECT_EQ(list[0]["source"].as<std::string>(), "a \"drive\"");
   EXPECT_EQ(list[0]["seed"].as<int>(), 3);
   EXPECT_EQ(list[0]["epochs"].as<int>(), 7);

@@ -49,6 +49,33 @@ TEST(SpoiltDrive, FaultsCountFromTheStartOfTheDrive) {
   EXPECT_EQ(out.odometry[30].speed, 2.0);
 }
 
+TEST(SpoiltDrive, SpoilsYawRatesAndVelocities) {
+  Drive clean = drive();
+  GnssVelocity velocity;
+  velocity.velocity = {1.0, 2.0};
+  for (int i = 0; i < 10; ++i) {
+    velocity.stamp = kStart + i;
+    clean.measurements.push_back({velocity, velocity.stamp});
+    clean.yaw_rates.push_back({{velocity.stamp, 0.5}, velocity.stamp});
+  }
+  FaultParameters faults;
+  faults.gyro.resize(1);
+  faults.gyro.front().kind = "reversed";
+  faults.velocity.resize(1);
+  faults.velocity.front().kind = "late";
+  faults.velocity.front().size = 0.5;
+  const Drive out = spoilt(clean, faults, 1);
+  ASSERT_EQ(out.yaw_rates.size(), 10U);
+  EXPECT_EQ(out.yaw_rates.back().yaw_rate.rate, -0.5);
+  int late = 0;
+  for (const RecordedMeasurement& recorded : out.measurements) {
+    if (!std::holds_alternative<GnssVelocity>(recorded.measurement)) continue;
+    EXPECT_EQ(recorded.arrival, stamp_of(recorded.measurement) + 0.5);
+    ++late;
+  }
+  EXPECT_EQ(late, 10);
+}
+
 TEST(SpoiltDrive, LateFixesArriveLateAmongTheRest) {
   FaultParameters faults;
   faults.fix.delays.emplace_back();

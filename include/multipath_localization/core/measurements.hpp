@@ -13,6 +13,12 @@
 
 namespace multipath_localization {
 
+/// Who tells how far the base has turned.
+enum class TurnSource {
+  kWheels,  ///< odometry
+  kGyro,    ///< an inertial sensor beside it
+};
+
 /// Motion that wheel odometry saw over one interval, constant velocity in the base and yaw rate within it.
 struct OdometryIncrement {
   double stamp = 0.0;          ///< end of the interval [s]
@@ -22,6 +28,15 @@ struct OdometryIncrement {
   double lateral_speed = 0.0;  ///< along y of the base, to the left; 0 but for omnidirectional bases [m/s]
   /// Made of the range rates of epochs, for want of wheels: nothing new to who uses those themselves.
   bool from_range_rates = false;
+  TurnSource turn_source = TurnSource::kWheels;  ///< of `yaw_rate`
+  /// What the gyro says of a base that stands, whose `yaw_rate` is 0 [rad/s]; NaN: it stands not, or no gyro.
+  double rate_at_rest = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// What a gyro measured at one instant of the turn about the vertical.
+struct YawRate {
+  double stamp = 0.0;  ///< [s]
+  double rate = 0.0;   ///< counter-clockwise [rad/s]
 };
 
 /// Speed over ground, whatever its direction [m/s].
@@ -87,8 +102,16 @@ struct PseudorangeEpoch {
   Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
 };
 
+/// Velocity over ground of a GNSS receiver's antenna by Doppler, in the ENU map frame.
+struct GnssVelocity {
+  double stamp = 0.0;                                         ///< time of measurement [s]
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();         ///< east, north [m/s]
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();   ///< as declared by the receiver [m^2/s^2]
+  Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
+};
+
 /// What an estimator can be updated with.
-using Measurement = std::variant<GnssFix, DualAntennaFix, PseudorangeEpoch>;
+using Measurement = std::variant<GnssFix, DualAntennaFix, PseudorangeEpoch, GnssVelocity>;
 
 double stamp_of(const Measurement& measurement);
 
@@ -96,7 +119,8 @@ double stamp_of(const Measurement& measurement);
 using BaseThen = std::function<std::optional<Pose2>(double stamp)>;
 
 /// The measurement as if its antennas sat on the base of now, the lever arm of each carried back to where it
-/// was at its stamp: what was measured then constrains the pose of now. Nothing where `base_then` knows none.
+/// was at its stamp: what was measured then constrains the pose of now. A velocity stays what it was at its
+/// stamp. Nothing where `base_then` knows none.
 std::optional<Measurement> carried_back(Measurement measurement, const BaseThen& base_then);
 
 }  // namespace multipath_localization

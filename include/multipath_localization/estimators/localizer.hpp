@@ -14,6 +14,7 @@
 #include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/estimators/receiver_covariance.hpp"
+#include "multipath_localization/models/gyro_turn.hpp"
 #include "multipath_localization/models/mirror_check.hpp"
 #include "multipath_localization/models/standstill.hpp"
 
@@ -64,6 +65,9 @@ class Localizer {
   /// measurements it was waited for.
   void add(const OdometryIncrement& reported);
 
+  /// Takes a yaw rate: turns are its from then on, see GyroTurn.
+  void add(const YawRate& yaw_rate) { gyro_.add(yaw_rate); }
+
   /// Takes a measurement.
   void add(const Measurement& measurement);
 
@@ -79,6 +83,8 @@ class Localizer {
   [[nodiscard]] std::vector<Hypothesis> hypotheses() const { return estimator_->hypotheses(); }
   /// What the last fix told of a frozen receiver, nothing where it is none.
   [[nodiscard]] const std::optional<FrozenReceiver>& frozen() const { return frozen_; }
+  /// What becomes of the yaw rates.
+  [[nodiscard]] const GyroTurn& gyro() const { return gyro_; }
   /// Whether odometry turns the other way round than the fixes: its pose counts as not confirmed then.
   [[nodiscard]] bool mirrored() const { return mirror_check_.mirrored(); }
   [[nodiscard]] Trust state() const;
@@ -91,7 +97,7 @@ class Localizer {
   Innovation weigh(GnssFix& fix, MeasurementReport& report);
   /// Takes note of where a fix lies, and tells why a repeated one is refused.
   void tell_frozen(const GnssFix& fix, Reason& reason);
-  /// When a measurement was accepted last, the start of odometry before the first [s].
+  /// When a measurement of the position was accepted last, the start of odometry before the first [s].
   [[nodiscard]] double last_accepted() const;
   [[nodiscard]] std::size_t latest_kind() const;
   /// What was accepted last: "fixes", "pairs of fixes", "pseudoranges".
@@ -106,6 +112,7 @@ class Localizer {
   ReceiverCovariance fix_covariance_;
   MirrorCheck mirror_check_;
   Standstill standstill_;
+  GyroTurn gyro_;
   std::deque<Measurement> waiting_;  ///< ahead of the odometry, by stamp
   std::vector<MeasurementReport> reports_;
   double now_ = 0.0;

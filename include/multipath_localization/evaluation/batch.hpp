@@ -44,6 +44,7 @@ struct RunRecord {
   Score fixes;                                   ///< of the fixes as they came
   std::optional<double> longest_off;             ///< the estimate was off on end [s]
   std::optional<double> longest_beyond_3_sigma;  ///< by its own covariance, on end [s]
+  std::optional<double> way_to_alignment;        ///< driven before the estimate was aligned [m]
   Course course;                                 ///< scenarios only
   /// What became of the measurements, by kind, those that the reader left out among them; recordings only.
   std::array<ReasonTally, std::variant_size_v<Measurement>> fates;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -19,6 +20,19 @@ struct RecordedMeasurement {
   double arrival = 0.0;  ///< on the clock of the stamps [s]
 };
 
+/// A yaw rate of a gyro beside the odometry and when it came in.
+struct RecordedYawRate {
+  YawRate yaw_rate;
+  double arrival = 0.0;  ///< on the clock of the stamps [s]
+};
+
+/// Sorts what was recorded; what came in at one time keeps its order.
+template <class Recorded>
+void sort_by_arrival(std::vector<Recorded>& all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Recorded& a, const Recorded& b) { return a.arrival < b.arrival; });
+}
+
 /// Where the base truly was. For scoring only.
 struct TruthSample {
   double stamp = 0.0;  ///< [s]
@@ -32,6 +46,7 @@ struct Drive {
   std::string name;
   Geodetic datum;                                 ///< origin of the map frame
   std::vector<OdometryIncrement> odometry;        ///< by stamp
+  std::vector<RecordedYawRate> yaw_rates;         ///< by arrival; empty where there is no gyro
   std::vector<RecordedMeasurement> measurements;  ///< by arrival
   std::vector<TruthSample> truth;                 ///< by stamp; empty when there is none
   std::vector<std::string> notices;               ///< what the reader had to assume or to leave out
@@ -56,7 +71,9 @@ Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& 
 /// Reads `odometry.csv` (t, vx, wz; optional vy, duration), `truth.csv` (t, lat_deg, lon_deg; optional alt_m,
 /// yaw, shadow) and `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional alt_m,
 /// t_arrival, status as of NavSatStatus, whose -1 is refused as no fix) or `pseudoranges.csv`
-/// (PseudorangeFile) or both of a directory; other columns are left alone. Times are seconds up to
+/// (PseudorangeFile) or both of a directory, and where they are there `gyro.csv` (t, yaw_rate_radps; optional
+/// t_arrival) and `velocity.csv` (t, east_mps, north_mps, sigma_mps; optional t_arrival) of the antenna;
+/// other columns are left alone. Times are seconds up to
 /// kLatestTime, wheels turn at up to 1e3 m/s and rad/s. The motion between two rows is `motion_between` them,
 /// and the first row stands for kFirstInterval; with a `duration` [s] a row is the mean over it, up to t. The
 /// map's datum is the first fix,

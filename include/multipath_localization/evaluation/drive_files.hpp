@@ -7,10 +7,10 @@
 
 namespace multipath_localization {
 
-/// Writes odometry, fixes and truth of a drive into a directory, which is made: `odometry.csv` with a column
-/// `duration`, `fix.csv` with `status`, `truth.csv` with `yaw` and, where it is known, `shadow`. `read_drive`
-/// gives the same drive back, in a map frame whose datum is the first fix. Measurements other than fixes are
-/// not written. Throws DriveError.
+/// Writes odometry, fixes, truth and, where there are any, yaw rates and velocities of a drive into a
+/// directory, which is made: `odometry.csv` with a column `duration`, `fix.csv` with `status`, `truth.csv`
+/// with `yaw` and, where it is known, `shadow`, `gyro.csv`, `velocity.csv`. `read_drive` gives the same drive
+/// back, in a map frame whose datum is the first fix. Other measurements are not written. Throws DriveError.
 void write_drive(const Drive& drive, const std::string& directory);
 
 /// The recordings of a directory, by name.
@@ -20,7 +20,8 @@ struct FoundDrives {
 };
 
 /// Reads every drive of a directory that has `truth.csv`, `fix.csv` and `odometry.csv` and goes on past
-/// `score_from` [s], of each the fixes alone: pseudoranges beside them are left aside. Throws DriveError when
+/// `score_from` [s], of each the fixes and, where they are there, velocities and yaw rates: pseudoranges
+/// beside them are left aside. Throws DriveError when
 /// there is none.
 FoundDrives read_drives(const std::string& directory, double score_from);
 

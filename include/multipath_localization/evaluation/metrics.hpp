@@ -50,6 +50,9 @@ std::optional<double> longest_off(const std::vector<Epoch>& epochs, double from,
 /// valid epoch.
 std::optional<double> longest_beyond_3_sigma(const std::vector<Epoch>& epochs, double from);
 
+/// The way driven until an estimate first counted as aligned [m]; nothing where none ever did.
+std::optional<double> way_to_alignment(const std::vector<Epoch>& epochs);
+
 /// The fixes themselves against truth at their own stamps; those without truth or before `from` do not count.
 /// The lever arm is carried by the true heading where there is one.
 Score score_fixes(const Drive& drive, double from);

@@ -8,6 +8,12 @@
 
 namespace multipath_localization {
 
+/// What a random robot is given beside odometry and fixes; what else it is does not change by it.
+struct RandomExtras {
+  bool gyro = false;
+  bool velocity = false;
+};
+
 /// A random robot's drive as a recording, and what only the oracle is told of it.
 struct RandomDrive {
   RandomRobot robot;  ///< without its steps
@@ -18,6 +24,6 @@ struct RandomDrive {
 
 /// The drive of a seed, named random_SEED; the same bytes for the same seed. Truth ten times a second, twenty
 /// times where fixes come as often.
-RandomDrive random_drive(std::uint64_t seed);
+RandomDrive random_drive(std::uint64_t seed, const RandomExtras& extras = {});
 
 }  // namespace multipath_localization

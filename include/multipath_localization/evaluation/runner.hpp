@@ -37,7 +37,7 @@ class RunError : public std::runtime_error {
 };
 
 /// Runs an estimator over a drive in the order of arrival: odometry at its stamp, a measurement at its
-/// arrival, and at equal times odometry, measurement, truth. There is one epoch per truth sample
+/// arrival, and at equal times yaw rate, odometry, measurement, truth. There is one epoch per truth sample
 /// or, without any truth, every tenth of a second of odometry: the estimate after everything that had arrived
 /// by then, carried from the last odometry stamp to the sample's by the speed and yaw rate of the last
 /// increment. Samples more than a second past the last odometry count as without estimate. At the drive's

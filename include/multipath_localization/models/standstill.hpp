@@ -15,10 +15,14 @@ class Standstill {
   /// `standing` holds.
   OdometryIncrement settled(const OdometryIncrement& u);
 
+  /// Whether that held for the last increment. One of no motion between two ticks of an encoder is no rest.
+  [[nodiscard]] bool at_rest() const { return at_rest_; }
+
  private:
   double speed_ = 0.0;          ///< mean of the last moment [m/s]
   double yaw_rate_ = 0.0;       ///< likewise [rad/s]
   double lateral_speed_ = 0.0;  ///< likewise [m/s]
+  bool at_rest_ = false;
 };
 
 /// A whole drive of increments, in order, each settled.

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include "multipath_localization/simulation/fix_faults.hpp"
 #include "multipath_localization/simulation/odometry_faults.hpp"
+#include "multipath_localization/simulation/sensor_faults.hpp"
 
 namespace multipath_localization {
 
@@ -9,10 +12,14 @@ namespace multipath_localization {
 struct FaultParameters {
   FixFaultParameters fix;
   OdometryFaultParameters odometry;
+  std::vector<SensorFault> gyro;
+  std::vector<SensorFault> velocity;
 
   void fields(ParameterVisitor& field) {
     field.group("fix", fix, "fixes of a single antenna");
     field.group("odometry", odometry, "wheel odometry");
+    field.list("gyro", gyro, "yaw rates of a gyro beside the odometry, `size` in rad/s");
+    field.list("velocity", velocity, "velocities of a receiver, `size` in m/s");
   }
 };
 

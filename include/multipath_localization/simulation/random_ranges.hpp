@@ -94,6 +94,18 @@ constexpr Span kSlipRatio{-0.5, 1.0};          ///< [1] wheel path beyond the ro
 constexpr double kWheelFault = 0.12;  ///< share of drives with wheels locked, spinning or an encoder dead
 constexpr LogSpan kWheelFaultDuration{2.0, 12.0};  ///< [s] of that
 
+// A gyro beside the odometry; its bias is drawn as that of one within it
+constexpr LogSpan kGyroNoise{1e-4, 3e-3};  ///< [rad/sqrt(s)] a good one .. a cheap one on a robot that shakes
+constexpr double kGyroScaleSigma = 0.005;  ///< [1] by data sheets 0.1 to 1 %
+
+// Velocity by Doppler; standard deviations are of each component
+constexpr LogSpan kVelocitySigma{0.03, 0.1};    ///< [m/s] under open sky, white and correlated part together
+constexpr LogSpan kVelocityTime{0.5, 5.0};      ///< [s] correlation time: the receiver's own filter
+constexpr Span kVelocityLag{0.0, 0.3};          ///< [s] that it is late by
+constexpr LogSpan kVelocityDeclared{0.3, 3.0};  ///< [1] declared over true sigma
+constexpr Span kVelocityOutliers{0.05, 0.15};   ///< [1] share of the time by reflections
+constexpr LogSpan kVelocityOutlier{0.3, 3.0};   ///< [m/s] how far it is off then
+
 // The receiver under open sky; standard deviations are of each component
 constexpr Span kShape{1.0, 2.0};  ///< [1] longer over shorter axis of the errors: satellites to one side
 constexpr LogSpan kFixedSigma{0.005, 0.03};    ///< [m] RTK fixed, white

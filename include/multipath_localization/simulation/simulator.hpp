@@ -10,12 +10,14 @@
 #include "multipath_localization/simulation/constellations.hpp"
 #include "multipath_localization/simulation/dual_receiver.hpp"
 #include "multipath_localization/simulation/faults.hpp"
+#include "multipath_localization/simulation/gyro.hpp"
 #include "multipath_localization/simulation/odometer.hpp"
 #include "multipath_localization/simulation/raw_receiver.hpp"
 #include "multipath_localization/simulation/receiver.hpp"
 #include "multipath_localization/simulation/robot.hpp"
 #include "multipath_localization/simulation/satellite_receiver.hpp"
 #include "multipath_localization/simulation/sky_view.hpp"
+#include "multipath_localization/simulation/velocity_receiver.hpp"
 #include "multipath_localization/simulation/zone.hpp"
 
 namespace multipath_localization {
@@ -29,6 +31,8 @@ struct SimulatorParameters {
   OdometerParameters odometer;
   ReceiverParameters receiver;
   DualReceiverParameters dual_receiver;
+  GyroParameters gyro;
+  VelocityReceiverParameters velocity;
   ConstellationParameters constellations;
   SkyParameters sky;
   RawReceiverParameters raw_receiver;
@@ -43,11 +47,12 @@ struct SimulatorParameters {
 
 /// What the sensors deliver at the end of one step.
 struct Readings {
+  std::vector<YawRate> yaw_rates;  ///< of a gyro beside the odometry
   std::optional<OdometryIncrement> odometry;
   std::vector<Measurement> measurements;  ///< stamped when measured, delivered a latency later
 };
 
-/// A robot with odometer and GNSS receivers among buildings. Time starts at 0. Deterministic: the same
+/// A robot with odometer, gyro and GNSS receivers among buildings. Time starts at 0. Deterministic: the same
 /// parameters, seed and commands give the same bytes.
 class Simulator {
  public:
@@ -76,6 +81,8 @@ class Simulator {
   [[nodiscard]] Reception reception(const Eigen::Vector2d& antenna) const;
   std::vector<Measurement> receive(double duration);
   std::vector<Measurement> spoilt(const std::vector<Measurement>& delivered);
+  std::vector<YawRate> turn_rates();
+  std::vector<GnssVelocity> velocities(double duration);
 
   SimulatorParameters parameters_;
   std::int64_t steps_ = 0;
@@ -87,6 +94,12 @@ class Simulator {
   Receiver receiver_;
   FixFaults fix_faults_;
   OdometryFaults odometry_faults_;
+  Gyro gyro_;
+  VelocityReceiver velocity_receiver_;
+  SensorFaults gyro_faults_;
+  SensorFaults velocity_faults_;
+  DeliveryQueue<YawRate> yaw_rates_under_way_;
+  DeliveryQueue<GnssVelocity> velocities_under_way_;
   Reception reception_;
 };
 

@@ -13,6 +13,8 @@ enum SimulationStream : std::uint32_t {
   kReceiverStream,
   kReceiverNoiseStream,
   kDualReceiverStream,
+  kGyroStream,
+  kVelocityStream,
   kZoneStream = 0xF0001000U,       ///< plus the index of the zone
   kFaultZoneStream = 0xF0001800U,  ///< plus the index of the zone among the faults
   kConstellationStream = 0xF0002000U,
@@ -27,6 +29,8 @@ enum SimulationStream : std::uint32_t {
   kFixSpikeStream,
   kFixDelayStream,
   kOdometryLossStream,
+  kGyroFaultStream,
+  kVelocityFaultStream,
   kFixColouredNoiseStream = 0xF0006000U,  ///< plus the index of the noise
   kFixWhiteNoiseStream = 0xF0007000U,     ///< plus the index of the noise
   kRandomRobotStream = 0xF0008000U,       ///< what a random robot is
@@ -34,6 +38,8 @@ enum SimulationStream : std::uint32_t {
   kRandomOdometryStream,
   kRandomReceiverStream,
   kRandomFixStream,
+  kRandomGyroStream,
+  kRandomVelocityStream,
 };
 
 }  // namespace multipath_localization

@@ -31,6 +31,8 @@ constexpr double kLargestSlowTime = 150.0;  // [s]
 // Odometry is what its data sheet says within a factor of two; its constants are steady or not at all.
 constexpr Prior kOdometry = {1.0, 0.8, 0.01};
 constexpr Prior kWalk = {1.0, 1.3, 0.01};
+// From one that costs as much as the robot to one that feels every stone, ten times either way.
+constexpr Prior kGyro = {1.0, 1.2, 0.05};
 
 constexpr double kFixMemory = 300.0;        // a receiver keeps its quality for minutes: a street [s]
 constexpr double kOdometryMemory = 1000.0;  // a robot keeps its own for longer: a surface, a tyre [s]
@@ -79,6 +81,12 @@ double ErrorLaw::white_variance() const { return std::exp(2.0 * log_white); }
 double ErrorLaw::slow_sigma() const { return std::exp(log_slow); }
 double ErrorLaw::slow_time() const { return std::exp(log_slow_time); }
 double ErrorLaw::open_sigma() const { return std::exp(std::max(log_white, log_slow)); }
+
+NoiseFactors ErrorLaw::odometry_noise() const {
+  return {std::exp(2.0 * log_way), std::exp(2.0 * log_turn), std::exp(2.0 * log_gyro)};
+}
+
+double draw_gyro_noise(RandomStream& random) { return kGyro.draw(1.0, random); }
 
 ErrorLaw draw_error_law(RandomStream& random) {
   ErrorLaw law;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "estimators/multipath/odometry_sum.hpp"
 #include "multipath_localization/core/random.hpp"
 
 namespace multipath_localization::multipath {
@@ -13,15 +14,20 @@ struct ErrorLaw {
   double log_way = 0.0;        ///< noise of the way, in that of the parameters
   double log_turn = 0.0;       ///< noise of the turn, likewise
   double log_walk = 0.0;       ///< walk of the odometry's constants, likewise
+  double log_gyro = 0.0;       ///< noise of the gyro beside the odometry, in that of a cheap one
 
   [[nodiscard]] double white_variance() const;  ///< [declared variance]
   [[nodiscard]] double slow_sigma() const;      ///< [declared sigma]
   [[nodiscard]] double slow_time() const;       ///< [s]
   [[nodiscard]] double open_sigma() const;      ///< the larger of the two errors [declared sigma]
+  [[nodiscard]] NoiseFactors odometry_noise() const;
 };
 
-/// A law drawn from the priors.
+/// A law drawn from the priors, but for the noise of the gyro.
 ErrorLaw draw_error_law(RandomStream& random);
+
+/// `log_gyro`, drawn from its prior.
+double draw_gyro_noise(RandomStream& random);
 
 /// Lets the law wander for `duration` [s] about its prior, where the robot stands that of the fixes alone.
 void wander(ErrorLaw& law, double duration, bool standing, RandomStream& random);

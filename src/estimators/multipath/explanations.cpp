@@ -269,7 +269,7 @@ void Explainer::apply(const Explanation& chosen, Hypothesis& h) {
   h.in_shadow = chosen.in_shadow && !chosen.moved_by_bias;
   h.level = h.in_shadow ? shadow_level_ : z_.level;
   h.wheel_fault = chosen.fault;
-  if (chosen.fault.any()) move_unseen(h, z_.usual_speed, z_.duration, random_);
+  if (chosen.fault.any()) move_unseen(h, z_.usual_speed, z_.duration, z_.turns_by_gyro, random_);
   if (chosen.displaced > 0.0) {
     h.covariance.topLeftCorner<2, 2>().diagonal().array() += chosen.displaced;
     if (random_.uniform() < 0.5) {

@@ -11,6 +11,7 @@ struct Sighting {
   GnssFix fix;                     ///< covariance positive definite
   double duration = 0.0;           ///< since the last one, > 0 [s]
   bool standing = false;           ///< the wheels stood for most of that
+  bool turns_by_gyro = false;      ///< turns since the last one are a gyro's
   double level = 0.0;              ///< declared sigma that holds from now on [m]
   double usual_speed = 0.0;        ///< of the robot [m/s]
   double fault_probability = 0.0;  ///< that the wheels begin to fail now

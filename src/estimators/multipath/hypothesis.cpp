@@ -7,27 +7,50 @@
 
 namespace multipath_localization::multipath {
 
+namespace {
+
+constexpr int kOdometryErrors = kSlowX - kScale;
+constexpr double kRestNoise = 0.003;   // of a gyro at rest with a running engine beside it [rad/sqrt(s)]
+constexpr double kImuBiasWalk = 2e-5;  // of a cheap gyro while it warms up [rad/s/sqrt(s)]
+
+/// Kalman correction by one component of the state, measured with that variance.
+void observe(Hypothesis& h, StateIndex index, double value, double variance) {
+  const State PH = h.covariance.col(index);
+  const double S = PH(index) + variance;
+  h.mean += PH * ((value - h.mean(index)) / S);
+  h.mean(kYaw) = wrap_angle(h.mean(kYaw));
+  h.covariance -= (PH * PH.transpose() / S).eval();
+}
+
+}  // namespace
+
 void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noise) {
+  if (odometry.rest_time() > 0.0) {
+    observe(*this, kImuBias, odometry.rate_at_rest(), square(kRestNoise) / odometry.rest_time());
+  }
   if (odometry.moving_time() <= 0.0) return;
   const OdometryErrors& at = odometry.errors();
-  const Eigen::Vector4d errors(at.scale, at.gyro_bias, at.turn_scale, at.curvature);
-  const Eigen::Vector3d correction = odometry.by_errors() * (mean.segment<4>(kScale) - errors);
+  using Errors = Eigen::Matrix<double, kOdometryErrors, 1>;
+  const auto errors =
+      (Errors() << at.scale, at.gyro_bias, at.turn_scale, at.curvature, at.imu_bias).finished();
+  const Eigen::Vector3d correction = odometry.by_errors() * (mean.segment<kOdometryErrors>(kScale) - errors);
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   turned.topLeftCorner<2, 2>() = rotation(mean(kYaw));
   const Eigen::Vector2d way = turned.topLeftCorner<2, 2>() * (odometry.displacement() + correction.head<2>());
   // Of the pose by heading and errors of the odometry.
-  Eigen::Matrix<double, 3, 5> J;
+  constexpr int kCauses = kOdometryErrors + 1;
+  Eigen::Matrix<double, 3, kCauses> J;
   J << Eigen::Vector3d(-way.y(), way.x(), 0.0), turned * odometry.by_errors();
 
   mean.head<2>() += way;
   mean(kYaw) = wrap_angle(mean(kYaw) + odometry.turn() + correction(2));
-  covariance.topRows<3>() += J * covariance.middleRows<5>(kYaw).eval();
-  covariance.leftCols<3>() += covariance.middleCols<5>(kYaw).eval() * J.transpose();
-  covariance.topLeftCorner<3, 3>() +=
-      turned * odometry.noise(std::exp(2.0 * law.log_way), std::exp(2.0 * law.log_turn)) * turned.transpose();
+  covariance.topRows<3>() += J * covariance.middleRows<kCauses>(kYaw).eval();
+  covariance.leftCols<3>() += covariance.middleCols<kCauses>(kYaw).eval() * J.transpose();
+  covariance.topLeftCorner<3, 3>() += turned * odometry.noise(law.odometry_noise()) * turned.transpose();
   const double walk = std::exp(2.0 * law.log_walk) * odometry.moving_time();
   covariance(kScale, kScale) += square(noise.scale_walk) * walk;
   covariance(kGyroBias, kGyroBias) += square(noise.gyro_bias_walk) * walk;
+  covariance(kImuBias, kImuBias) += square(kImuBiasWalk) * odometry.moving_time();
 }
 
 void Hypothesis::renew_heading(double yaw, double variance) {
@@ -39,8 +62,9 @@ void Hypothesis::renew_heading(double yaw, double variance) {
 
 void Hypothesis::adopt(const Hypothesis& other) {
   law = other.law;
-  mean.segment<4>(kScale) = other.mean.segment<4>(kScale);
-  covariance.block<4, 4>(kScale, kScale) = other.covariance.block<4, 4>(kScale, kScale);
+  constexpr int n = kOdometryErrors;
+  mean.segment<n>(kScale) = other.mean.segment<n>(kScale);
+  covariance.block<n, n>(kScale, kScale) = other.covariance.block<n, n>(kScale, kScale);
 }
 
 void Hypothesis::place_at(const GnssFix& fix) {

@@ -19,6 +19,7 @@ enum StateIndex {
   kGyroBias,
   kTurnScale,
   kCurvature,
+  kImuBias,
   kSlowX,
   kSlowY,
   kShadowX,

@@ -50,7 +50,8 @@ void HypothesisCloud::propagate(const OdometrySum& odometry) {
   refresh();
 }
 
-void HypothesisCloud::let_wheels_fail(double probability, double speed, double duration, bool standing) {
+void HypothesisCloud::let_wheels_fail(double probability, double speed, double duration, bool standing,
+                                      bool turns_by_gyro) {
   ++step_;
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
@@ -59,7 +60,7 @@ void HypothesisCloud::let_wheels_fail(double probability, double speed, double d
     const bool failing = random.uniform() < chance;
     if (!failing) h.wheel_fault = {};
     if (failing && !h.wheel_fault.any()) h.wheel_fault = draw_wheel_fault(random);
-    if (failing) move_unseen(h, speed, duration, random);
+    if (failing) move_unseen(h, speed, duration, turns_by_gyro, random);
   }
   refresh();
 }
@@ -163,7 +164,7 @@ void HypothesisCloud::refresh() {
     m.mean += w * h.mean;
     heading += w * Eigen::Vector2d(std::cos(h.mean(kYaw)), std::sin(h.mean(kYaw)));
     m.bias += w * h.bias();
-    log_noise.head<2>() += w * Eigen::Vector2d(h.law.log_way, h.law.log_turn);
+    log_noise += w * Eigen::Vector3d(h.law.log_way, h.law.log_turn, h.law.log_gyro);
     m.white_variance +=
         w * (h.law.white_variance() * square(h.level) + (h.in_shadow ? square(h.shadow_law.noise) : 0.0));
     m.slow_variance += w * square(h.law.slow_sigma() * h.level);
@@ -171,8 +172,8 @@ void HypothesisCloud::refresh() {
     m.wheel_fault += h.wheel_fault.any() ? w : 0.0;
   }
   m.mean(kYaw) = std::atan2(heading.y(), heading.x());
-  m.way_noise = std::exp(2.0 * log_noise(0));
-  m.turn_noise = std::exp(2.0 * log_noise(1));
+  m.odometry_noise = {std::exp(2.0 * log_noise(0)), std::exp(2.0 * log_noise(1)),
+                      std::exp(2.0 * log_noise(2))};
   m.effective_size = 1.0 / squares;
   m.agreement = 0.0;
   for (const Hypothesis& h : hypotheses_) {

@@ -18,11 +18,10 @@ struct Mixture {
   Eigen::Matrix2d bias_covariance = Eigen::Matrix2d::Zero();
   double white_variance = 0.0;  ///< of a fix, an axis [m^2]
   double slow_variance = 0.0;   ///< of the slow error of a fix, an axis [m^2]
-  double way_noise = 1.0;       ///< variance, in that of the parameters
-  double turn_noise = 1.0;      ///< likewise
-  double shadow = 0.0;          ///< probability of a shadow
-  double wheel_fault = 0.0;     ///< probability of wheels that fail
-  double agreement = 1.0;       ///< weight of those within kHeadingReach of the mean heading
+  NoiseFactors odometry_noise;
+  double shadow = 0.0;       ///< probability of a shadow
+  double wheel_fault = 0.0;  ///< probability of wheels that fail
+  double agreement = 1.0;    ///< weight of those within kHeadingReach of the mean heading
   double effective_size = 1.0;
 };
 
@@ -55,8 +54,8 @@ class HypothesisCloud {
   void propagate(const OdometrySum& odometry);
 
   /// Lets wheels fail while there is no fix to tell: a fault begins with that probability, or goes on, for
-  /// `duration` [s] at the usual `speed` [m/s].
-  void let_wheels_fail(double probability, double speed, double duration, bool standing);
+  /// `duration` [s] at the usual `speed` [m/s]. Where a gyro tells the turns no fault of wheels feigns any.
+  void let_wheels_fail(double probability, double speed, double duration, bool standing, bool turns_by_gyro);
 
   /// Weighs a fix; `sighting.level` is set here, equation (13), (14). Returns the logarithm of its
   /// probability density [1/m^2].

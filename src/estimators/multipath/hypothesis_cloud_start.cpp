@@ -25,6 +25,7 @@ constexpr double kWideScaleSigma = 0.1;
 constexpr double kWideGyroBiasSigma = 0.03;  // [rad/s]
 constexpr double kWideTurnScaleSigma = 0.15;
 constexpr double kWideCurvatureSigma = 0.02;  // [rad/m]
+constexpr double kImuBiasSigma = 0.005;  // of a gyro whose driver takes out what it said at the start [rad/s]
 
 /// Variance of one constant of the odometry at the start.
 double constant_variance(double sigma, double wide_sigma, RandomStream& random) {
@@ -56,6 +57,8 @@ void HypothesisCloud::spread(std::size_t count) {
     h.covariance(kTurnScale, kTurnScale) =
         constant_variance(settings_.turn_scale_sigma, kWideTurnScaleSigma, random);
     h.covariance(kCurvature, kCurvature) = constant_variance(0.0, kWideCurvatureSigma, random);
+    h.covariance(kImuBias, kImuBias) = constant_variance(kImuBiasSigma, kWideGyroBiasSigma, random);
+    h.law.log_gyro = draw_gyro_noise(random);
     h.log_weight = -std::log(static_cast<double>(count));
   }
   ++step_;

@@ -30,7 +30,7 @@ multipath::CloudSettings cloud_settings(const MultipathParticleFilterParameters&
 
 multipath::OdometryErrors errors_of(const multipath::State& mean) {
   return {mean(multipath::kScale), mean(multipath::kGyroBias), mean(multipath::kTurnScale),
-          mean(multipath::kCurvature)};
+          mean(multipath::kCurvature), mean(multipath::kImuBias)};
 }
 
 /// As declared, but positive definite.
@@ -103,7 +103,8 @@ struct MultipathParticleFilter::State {
     const double begins = wheels.take_suspicion();
     if (begins <= 0.0 && cloud.mixture().wheel_fault <= 0.0) return;
     const double duration = odometry.duration();
-    cloud.let_wheels_fail(begins, wheels.usual_speed(), duration, odometry.moving_time() < 0.5 * duration);
+    cloud.let_wheels_fail(begins, wheels.usual_speed(), duration, odometry.moving_time() < 0.5 * duration,
+                          odometry.turns_by_gyro());
   }
   void restart_odometry() {
     odometry.restart(errors_of(cloud.mixture().mean));
@@ -126,8 +127,9 @@ struct MultipathParticleFilter::State {
 };
 
 void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParameters& parameters) {
-  flush();
   multipath::Sighting sighting;
+  sighting.turns_by_gyro = odometry.turns_by_gyro();
+  flush();
   fixes_in_block = static_cast<double>(block.size());
   sighting.fix = block.take(cloud.mixture().mean(multipath::kYaw));
   sighting.duration = std::max(kShortestTime, now - last_weighed);
@@ -152,7 +154,7 @@ Prediction MultipathParticleFilter::State::predicted() const {
   F.topRightCorner<2, 1>() << -way.y(), way.x();
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   turned.topLeftCorner<2, 2>() = rotation(then.yaw);
-  const Eigen::Matrix3d noise = odometry.noise(mixture.way_noise, mixture.turn_noise);
+  const Eigen::Matrix3d noise = odometry.noise(mixture.odometry_noise);
   return {then * moved(), F * mixture.covariance * F.transpose() + turned * noise * turned.transpose()};
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kAcrossToAlong = 0.5;      ///< wheels slip sideways less than they slip along [1]
 constexpr double kTurnNoiseOfTurn = 0.004;  ///< wheels scrub in turns; a gyro's scale [rad/sqrt(rad)]
+constexpr double kGyroNoise = 0.001;        ///< of a cheap one on a robot that shakes [rad/sqrt(s)]
 
 /// Standard deviation of a value that is anywhere within an interval of length 1: 1 / sqrt(12).
 constexpr double kUniform = 0.2887;
@@ -39,27 +40,39 @@ void OdometrySum::add(const OdometryIncrement& u) {
     sampling_noise_.topLeftCorner<2, 2>() += square(0.5 * reach) * Eigen::Matrix2d::Identity();
   } else if (standing(u)) {
     last_velocity_.setZero();
+    if (std::isfinite(u.rate_at_rest)) {
+      rest_time_ += dt;
+      rest_turn_ += dt * u.rate_at_rest;
+    }
     return;
   }
+  const bool by_gyro = u.turn_source == TurnSource::kGyro;
   OdometryIncrement corrected = u;
   corrected.speed *= 1.0 - errors_.scale;
   corrected.lateral_speed *= 1.0 - errors_.scale;
-  corrected.yaw_rate =
-      u.yaw_rate * (1.0 - errors_.turn_scale) - errors_.gyro_bias - errors_.curvature * u.speed;
+  if (by_gyro) {
+    corrected.yaw_rate = u.yaw_rate - errors_.imu_bias;
+  } else {
+    corrected.yaw_rate =
+        u.yaw_rate * (1.0 - errors_.turn_scale) - errors_.gyro_bias - errors_.curvature * u.speed;
+  }
   const Pose2 step = multipath_localization::displacement(corrected);
   const Eigen::Vector2d way = rotation(turn_) * step.position();
 
   add_noise(u, way, corrected.yaw_rate * dt);
   // The heading halfway through the step, by each of the errors that turn it.
-  const Eigen::RowVector3d turn_by_errors(-dt, -u.yaw_rate * dt, -u.speed * dt);
-  const Eigen::RowVector3d heading = by_errors_.bottomRightCorner<1, 3>() + 0.5 * turn_by_errors;
+  const Eigen::RowVector4d turn_by_errors =
+      by_gyro ? Eigen::RowVector4d(0.0, 0.0, 0.0, -dt)
+              : Eigen::RowVector4d(-dt, -u.yaw_rate * dt, -u.speed * dt, 0.0);
+  const Eigen::RowVector4d heading = by_errors_.bottomRightCorner<1, 4>() + 0.5 * turn_by_errors;
   by_errors_.topLeftCorner<2, 1>() -= way / (1.0 - errors_.scale);
-  by_errors_.topRightCorner<2, 3>() += perpendicular(way) * heading;
-  by_errors_.bottomRightCorner<1, 3>() += turn_by_errors;
+  by_errors_.topRightCorner<2, 4>() += perpendicular(way) * heading;
+  by_errors_.bottomRightCorner<1, 4>() += turn_by_errors;
 
   displacement_ += way;
   turn_ += corrected.yaw_rate * dt;
   moving_time_ += dt;
+  if (by_gyro) gyro_time_ += dt;
   length_ += way.norm();
   last_velocity_ << u.speed, u.lateral_speed;
 }
@@ -69,7 +82,7 @@ void OdometrySum::add_noise(const OdometryIncrement& u, const Eigen::Vector2d& w
   const double dt = u.duration;
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
   F.topRightCorner<2, 1>() = perpendicular(way);
-  for (Eigen::Matrix3d* noise : {&way_noise_, &turn_noise_, &sampling_noise_}) {
+  for (Eigen::Matrix3d* noise : {&way_noise_, &turn_noise_, &gyro_noise_, &sampling_noise_}) {
     *noise = F * *noise * F.transpose();
   }
   const double across = square(kAcrossToAlong * noise_.distance) * length;
@@ -79,7 +92,12 @@ void OdometrySum::add_noise(const OdometryIncrement& u, const Eigen::Vector2d& w
     way_noise_.topLeftCorner<2, 2>() +=
         (square(noise_.distance) * length - across) * along * along.transpose();
   }
-  turn_noise_(2, 2) += square(noise_.yaw) * dt + square(kTurnNoiseOfTurn) * std::abs(turn);
+  const double of_turn = square(kTurnNoiseOfTurn) * std::abs(turn);
+  if (u.turn_source == TurnSource::kGyro) {
+    gyro_noise_(2, 2) += square(kGyroNoise) * dt + of_turn;
+  } else {
+    turn_noise_(2, 2) += square(noise_.yaw) * dt + of_turn;
+  }
   // What happened between two samples is not known: speed and turn changed anywhere within the interval.
   const double change = (Eigen::Vector2d(u.speed, u.lateral_speed) - last_velocity_).norm() * dt;
   const double bend = length * std::abs(turn);

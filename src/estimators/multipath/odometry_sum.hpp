@@ -8,12 +8,21 @@
 namespace multipath_localization::multipath {
 
 /// What wheel odometry gets wrong for minutes on end, equation (2): with v and w as measured, the robot
-/// drives (1 - scale) v and turns by w - gyro_bias - turn_scale w - curvature v.
+/// drives (1 - scale) v and turns by w - gyro_bias - turn_scale w - curvature v, or, where a gyro beside it
+/// has told the turn, by w - imu_bias.
 struct OdometryErrors {
   double scale = 0.0;       ///< of speed [1]
-  double gyro_bias = 0.0;   ///< [rad/s]
+  double gyro_bias = 0.0;   ///< of the yaw rate of odometry, which may be a gyro's of its own [rad/s]
   double turn_scale = 0.0;  ///< of turns, as of wheels that skid or a track width that is wrong [1]
   double curvature = 0.0;   ///< of a path that odometry calls straight, as of a steering offset [rad/m]
+  double imu_bias = 0.0;    ///< of the gyro beside the odometry [rad/s]
+};
+
+/// Variance of noise in that which is supposed of it [1].
+struct NoiseFactors {
+  double way = 1.0;
+  double turn = 1.0;  ///< of the wheels
+  double gyro = 1.0;
 };
 
 /// Odometry summed up since the hypotheses were last moved, once for all of them, equation (3).
@@ -34,14 +43,22 @@ class OdometrySum {
   [[nodiscard]] double turn() const { return turn_; }
 
   [[nodiscard]] const OdometryErrors& errors() const { return errors_; }
-  /// Derivatives of displacement (rows 0, 1) and turn (row 2) to scale, gyro bias, turn scale, curvature.
-  [[nodiscard]] const Eigen::Matrix<double, 3, 4>& by_errors() const { return by_errors_; }
+  /// Derivatives of displacement (rows 0, 1) and turn (row 2) to scale, gyro bias, turn scale, curvature, IMU
+  /// bias.
+  [[nodiscard]] const Eigen::Matrix<double, 3, 5>& by_errors() const { return by_errors_; }
 
-  /// Covariance of x, y, yaw where the noise of the way and of the turn have that many times the variance the
-  /// parameters say; what happened between samples comes on top.
-  [[nodiscard]] Eigen::Matrix3d noise(double way, double turn) const {
-    return way * way_noise_ + turn * turn_noise_ + sampling_noise_;
+  /// Covariance of x, y, yaw where the noises have that many times the variance supposed; what happened
+  /// between samples comes on top.
+  [[nodiscard]] Eigen::Matrix3d noise(const NoiseFactors& factors) const {
+    return factors.way * way_noise_ + factors.turn * turn_noise_ + factors.gyro * gyro_noise_ +
+           sampling_noise_;
   }
+
+  /// What the gyro said of the standing base: the mean rate [rad/s] over that time [s].
+  [[nodiscard]] double rate_at_rest() const { return rest_time_ > 0.0 ? rest_turn_ / rest_time_ : 0.0; }
+  [[nodiscard]] double rest_time() const { return rest_time_; }
+  /// Whether a gyro has told every turn since the restart, so that no fault of the wheels can feign one.
+  [[nodiscard]] bool turns_by_gyro() const { return moving_time_ > 0.0 && gyro_time_ >= moving_time_; }
 
   [[nodiscard]] double duration() const { return duration_; }          ///< [s]
   [[nodiscard]] double moving_time() const { return moving_time_; }    ///< [s]
@@ -55,13 +72,17 @@ class OdometrySum {
   OdometryErrors errors_;
   Eigen::Vector2d displacement_ = Eigen::Vector2d::Zero();
   double turn_ = 0.0;
-  Eigen::Matrix<double, 3, 4> by_errors_ = Eigen::Matrix<double, 3, 4>::Zero();
+  Eigen::Matrix<double, 3, 5> by_errors_ = Eigen::Matrix<double, 3, 5>::Zero();
   Eigen::Matrix3d way_noise_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d turn_noise_ = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d gyro_noise_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d sampling_noise_ = Eigen::Matrix3d::Zero();
   double duration_ = 0.0;
   double moving_time_ = 0.0;
   double missing_time_ = 0.0;
+  double gyro_time_ = 0.0;  ///< of the moving time, with turns by the gyro [s]
+  double rest_time_ = 0.0;  ///< standing, watched by the gyro [s]
+  double rest_turn_ = 0.0;  ///< that the gyro has seen in it [rad]
   double length_ = 0.0;
   Eigen::Vector2d last_velocity_ = Eigen::Vector2d::Zero();  ///< in the base, of the last increment [m/s]
 };

@@ -36,8 +36,9 @@ Eigen::Matrix2d unseen_motion(const Hypothesis& hypothesis, const WheelFault& fa
          (kAcross * Eigen::Matrix2d::Identity() + (1.0 - kAcross) * ahead * ahead.transpose());
 }
 
-void move_unseen(Hypothesis& h, double speed, double duration, RandomStream& random) {
+void move_unseen(Hypothesis& h, double speed, double duration, bool turns_by_gyro, RandomStream& random) {
   h.covariance.topLeftCorner<2, 2>() += unseen_motion(h, h.wheel_fault, speed, duration);
+  if (turns_by_gyro) return;
   const double turn = h.wheel_fault.heading_rate * duration;
   h.mean(kYaw) = wrap_angle(h.mean(kYaw) + turn * random.normal());
   h.covariance(kYaw, kYaw) += square(kLinearTurn * turn);

@@ -16,7 +16,8 @@ double fault_goes_on(double duration, bool standing);
 Eigen::Matrix2d unseen_motion(const Hypothesis& hypothesis, const WheelFault& fault, double speed,
                               double duration);
 
-/// Moves a hypothesis by its wheel fault, which may turn it too.
-void move_unseen(Hypothesis& hypothesis, double speed, double duration, RandomStream& random);
+/// Moves a hypothesis by its wheel fault, which may turn it too unless a gyro tells the turns.
+void move_unseen(Hypothesis& hypothesis, double speed, double duration, bool turns_by_gyro,
+                 RandomStream& random);
 
 }  // namespace multipath_localization::multipath

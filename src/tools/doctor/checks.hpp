@@ -50,6 +50,11 @@ Findings check_turns(const Observations& seen);
 /// Way by odometry against way by fixes: scale, where the two have the same shape.
 Findings check_scale(const Observations& seen);
 
+/// An IMU, where there is one: whether it has a gyro, how it is mounted, whether it turns as odometry does.
+Findings check_gyro(const Observations& seen);
+/// A receiver's velocities, where there are any: against how the fixes go on.
+Findings check_velocity(const Observations& seen);
+
 /// All of them, in this order.
 Findings diagnose(const Observations& seen);
 

@@ -23,7 +23,9 @@ Findings diagnose(const Observations& seen) {
                            check_twist,
                            check_coordinates,
                            check_turns,
-                           check_scale}) {
+                           check_scale,
+                           check_gyro,
+                           check_velocity}) {
     const Findings found = check(seen);
     all.insert(all.end(), found.begin(), found.end());
   }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
+#include <geometry_msgs/TwistWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
+#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/NavSatFix.h>
 
 #include <map>
@@ -32,12 +34,16 @@ struct Broadcast {
 struct Observations {
   std::string fix_topic = "gps/fix";
   std::string odometry_topic = "odom";
+  std::string imu_topic = "imu/data";
+  std::string velocity_topic = "gps/velocity";
   FrameParameters frames;
   std::map<std::string, std::string> types;  ///< of all topics, by name without leading slash
   /// Types of topics of a bag whose messages cannot be read, being of another version of it.
   std::map<std::string, std::string> other_versions;
   std::vector<Arrived<sensor_msgs::NavSatFix>> fixes;
   std::vector<Arrived<nav_msgs::Odometry>> odometry;
+  std::vector<Arrived<sensor_msgs::Imu>> imus;
+  std::vector<Arrived<geometry_msgs::TwistWithCovarianceStamped>> velocities;
   std::vector<Broadcast> transforms;
   std::vector<double> datum;    ///< of the parameters, or saved in their datum_file; empty for none
   std::string datum_file;       ///< where it was saved, empty where it is one of the parameters

@@ -9,6 +9,7 @@
 #include "nodes/bag_file.hpp"
 #include "nodes/conversions.hpp"
 #include "nodes/datum_file.hpp"
+#include "nodes/gnss_inputs.hpp"
 #include "nodes/parameter_server.hpp"
 
 namespace multipath_localization {
@@ -36,6 +37,8 @@ Observations begin(const ObservationRequest& request) {
   Observations seen;
   seen.fix_topic = request.fix_topic;
   seen.odometry_topic = request.odometry_topic;
+  seen.imu_topic = request.imu_topic;
+  seen.velocity_topic = request.velocity_topic;
   if (!request.parameters.empty()) take_parameters(read_yaml(request.parameters), seen);
   return seen;
 }
@@ -46,6 +49,24 @@ std::string fix_topic_of(const Observations& seen) {
 
 std::string odometry_topic_of(const Observations& seen) {
   return resolved(seen.types, seen.odometry_topic, ros::message_traits::datatype<nav_msgs::Odometry>());
+}
+
+std::string imu_topic_of(const Observations& seen) {
+  return resolved(seen.types, seen.imu_topic, ros::message_traits::datatype<sensor_msgs::Imu>());
+}
+
+void take_extras(const rosbag::MessageInstance& message, Observations& seen) {
+  const std::string topic = without_slash(message.getTopic());
+  const double time = message.getTime().toSec();
+  if (topic == imu_topic_of(seen)) {
+    if (const auto imu = message.instantiate<sensor_msgs::Imu>()) seen.imus.push_back({*imu, time});
+  }
+  if (topic != without_slash(seen.velocity_topic)) return;
+  using Velocity = geometry_msgs::TwistWithCovarianceStamped;
+  if (const auto velocity = message.instantiate<Velocity>()) seen.velocities.push_back({*velocity, time});
+  if (const auto bare = message.instantiate<geometry_msgs::TwistStamped>()) {
+    seen.velocities.push_back({without_covariance(*bare), time});
+  }
 }
 
 void take(const tf2_msgs::TFMessage& message, const std::string& node, bool is_static, Observations& seen) {
@@ -77,6 +98,7 @@ void take(const rosbag::Bag& bag, Observations& seen) {
     if (topic == odometry_topic) {
       if (const auto odom = message.instantiate<nav_msgs::Odometry>()) seen.odometry.push_back({*odom, time});
     }
+    take_extras(message, seen);
     if (topic == "tf" || topic == "tf_static") {
       const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
       if (transforms) take(*transforms, message.getCallerId(), topic == "tf_static", seen);
@@ -95,6 +117,12 @@ void listen(double seconds, Observations& seen) {
   const boost::function<void(const nav_msgs::Odometry&)> on_odometry = [&](const auto& odometry) {
     seen.odometry.push_back({odometry, now()});
   };
+  const boost::function<void(const sensor_msgs::Imu&)> on_imu = [&](const auto& imu) {
+    seen.imus.push_back({imu, now()});
+  };
+  const boost::function<void(const topic_tools::ShapeShifter&)> on_velocity = [&](const auto& message) {
+    if (const auto velocity = velocity_of(message)) seen.velocities.push_back({*velocity, now()});
+  };
   const boost::function<void(const rosgraph_msgs::Clock&)> on_clock = [&](const auto&) { seen.clock = true; };
   const auto on_transforms = [&](bool is_static) {
     return boost::function<void(const Transforms&)>([&seen, is_static](const Transforms& event) {
@@ -106,6 +134,8 @@ void listen(double seconds, Observations& seen) {
   const std::vector<ros::Subscriber> subscribers = {
       node.subscribe<sensor_msgs::NavSatFix>("/" + fix_topic_of(seen), 1000, on_fix),
       node.subscribe<nav_msgs::Odometry>("/" + odometry_topic_of(seen), 1000, on_odometry),
+      node.subscribe<sensor_msgs::Imu>("/" + imu_topic_of(seen), 1000, on_imu),
+      node.subscribe<topic_tools::ShapeShifter>("/" + without_slash(seen.velocity_topic), 1000, on_velocity),
       node.subscribe<rosgraph_msgs::Clock>("/clock", 10, on_clock),
       node.subscribe<tf2_msgs::TFMessage>("/tf", 1000, on_transforms(false)),
       node.subscribe<tf2_msgs::TFMessage>("/tf_static", 1000, on_transforms(true))};

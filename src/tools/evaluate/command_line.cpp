@@ -59,13 +59,28 @@ void read_seeds(const std::string& text, Batch& batch) {
   batch.seeds = last - batch.first_seed + 1;
 }
 
+/// A list of inputs beside odometry and fixes.
+RandomExtras parse_extras(const std::string& list) {
+  RandomExtras extras;
+  for (const std::string& name : split(list)) {
+    if (name == "gyro") {
+      extras.gyro = true;
+    } else if (name == "velocity") {
+      extras.velocity = true;
+    } else {
+      throw UsageError(name + " is neither gyro nor velocity");
+    }
+  }
+  return extras;
+}
+
 /// What a suite over drives cannot be told.
 void refuse_for_suites(const po::variables_map& given, const Options& options) {
   if (!options.suite.empty() && given.count("plot") + given.count("faults") > 0) {
     throw UsageError("--plot and --faults are for one stream, not for a suite");
   }
-  if (!options.write_directory.empty() && options.suite != kRandomSuite) {
-    throw UsageError("--write is for --suite random");
+  if (options.suite != kRandomSuite && given.count("write") + given.count("with") > 0) {
+    throw UsageError("--write and --with are for --suite random");
   }
   if (options.suite == kRandomSuite && given.count("known-start") > 0) {
     throw UsageError("--known-start: random robots start nowhere in particular");
@@ -95,14 +110,17 @@ Options read_options(const po::variables_map& given) {
   options.bag = text("bag");
   options.scenario = text("scenario");
   options.suite = text("suite");
-  options.topics = {text("fix-topic"),   text("odom-topic"), text("truth-topic"), text("shadow-topic"),
-                    text("epoch-topic"), text("left-topic"), text("right-topic")};
+  options.topics = {text("fix-topic"),    text("odom-topic"),  text("truth-topic"),
+                    text("shadow-topic"), text("epoch-topic"), text("left-topic"),
+                    text("right-topic"),  text("imu-topic"),   text("velocity-topic")};
   if (given.count("datum") > 0) options.datum = parse_datum(text("datum"));
   if (given.count("set") > 0) options.assignments = given["set"].as<std::vector<std::string>>();
   options.faults_file = text("faults");
   options.json_file = text("json");
   options.plot_file = text("plot");
   options.write_directory = text("write");
+  options.extras = parse_extras(text("with"));
+  options.left_aside = parse_extras(text("without"));
   refuse_for_suites(given, options);
 
   Batch& batch = options.batch;

@@ -8,6 +8,7 @@
 
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/evaluation/batch.hpp"
+#include "multipath_localization/evaluation/random_drive.hpp"
 #include "nodes/bag_topics.hpp"
 
 namespace multipath_localization {
@@ -29,6 +30,8 @@ struct Options {
   std::string json_file;
   std::string plot_file;
   std::string write_directory;
+  RandomExtras extras;
+  RandomExtras left_aside;
 
   /// Whether the suite is made of many drives that are summed up, instead of scenarios.
   [[nodiscard]] bool over_drives() const;

@@ -45,6 +45,10 @@ po::options_description stream_options() {
   add("epoch-topic", text("TOPIC"), "gnss/epoch, or the only GnssEpoch");
   add("left-topic", text("TOPIC"), "NavSatFix of the left one of two antennas; gps/left/fix");
   add("right-topic", text("TOPIC"), "of the right one; gps/right/fix");
+  add("imu-topic", text("TOPIC"), "imu/data, or the only Imu");
+  add("velocity-topic", text("TOPIC"),
+      "velocity of a receiver, with covariance or without; gps/velocity, or the only fix_velocity or vel");
+  add("without", text("A,B"), "inputs that are left aside: gyro, velocity");
   add("odom-topic", text("TOPIC"), "odom, or the only Odometry besides truth");
   add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
   add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
@@ -73,6 +77,10 @@ po::options_description run_options() {
       "under a name of its own as LABEL=NAME{KEY: VALUE, ...}");
   add("seeds", po::value<std::string>()->default_value("1")->value_name("N"),
       "run seeds 1..N, or FIRST..LAST; of random robots the seed is the robot's too");
+  add("with", text("A,B"),
+      "what random robots are given beside odometry and fixes: gyro, velocity (by Doppler); they stay the "
+      "same "
+      "robots");
   add("jobs", number("N", 1), "runs at a time; changes no result");
   add("known-start", "tell the estimators the true pose at the start; it is unknown otherwise");
   add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),

@@ -17,7 +17,7 @@ Hypothesis some_hypothesis(std::uint32_t number) {
   RandomStream random(7, 1, number);
   Hypothesis h;
   State sigma;
-  sigma << 1.0, 1.0, 0.1, 0.02, 0.004, 0.03, 0.01, 0.5, 0.5, 3.0, 3.0;
+  sigma << 1.0, 1.0, 0.1, 0.02, 0.004, 0.03, 0.01, 0.005, 0.5, 0.5, 3.0, 3.0;
   StateCovariance root;
   for (int i = 0; i < kStateSize; ++i) {
     h.mean(i) = sigma(i) * random.normal();
@@ -72,7 +72,7 @@ TEST(Hypothesis, PropagatesItsCovarianceByTheDerivativeOfItsMean) {
   StateCovariance expected = F * h.covariance * F.transpose();
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   turned.topLeftCorner<2, 2>() = rotation(h.mean(kYaw));
-  expected.topLeftCorner<3, 3>() += turned * odometry.noise(1.0, 1.0) * turned.transpose();
+  expected.topLeftCorner<3, 3>() += turned * odometry.noise({}) * turned.transpose();
   expected(kScale, kScale) += square(kNoise.scale_walk) * odometry.moving_time();
   expected(kGyroBias, kGyroBias) += square(kNoise.gyro_bias_walk) * odometry.moving_time();
   h.propagate(odometry, kNoise);
@@ -162,6 +162,21 @@ TEST(Decay, IsOneStepOfAGaussMarkovProcess) {
   EXPECT_LT((h.mean.tail<2>() - 0.8 * before.mean.tail<2>()).norm(), 1e-12);
   EXPECT_NEAR(h.covariance(kShadowX, kShadowX), 0.64 * before.covariance(kShadowX, kShadowX) + 0.5, 1e-12);
   EXPECT_NEAR(h.covariance(kX, kShadowY), 0.8 * before.covariance(kX, kShadowY), 1e-12);
+}
+
+TEST(Hypothesis, LearnsTheBiasOfAGyroAtRest) {
+  Hypothesis h;
+  h.covariance(kImuBias, kImuBias) = square(0.01);
+  OdometrySum odometry(OdometryNoise{});
+  for (int i = 1; i <= 200; ++i) {
+    OdometryIncrement u{0.1 * i, 0.1, 0.0, 0.0};
+    u.rate_at_rest = 0.023;
+    odometry.add(u);
+  }
+  h.propagate(odometry, OdometryNoise{});
+  EXPECT_NEAR(h.mean(kImuBias), 0.023, 3e-4);
+  EXPECT_LT(std::sqrt(h.covariance(kImuBias, kImuBias)), 1e-3);
+  EXPECT_EQ(h.mean.head<3>(), Eigen::Vector3d::Zero());
 }
 
 }  // namespace

@@ -107,9 +107,9 @@ TEST(HypothesisCloud, GrowsUnsureByWheelsThatMayFail) {
   cloud.start(fix_at(0.0, 0.0, 0.3));
   drive(cloud, 40);
   const double before = cloud.mixture().covariance(0, 0);
-  cloud.let_wheels_fail(0.5, 2.0, 1.0, false);
+  cloud.let_wheels_fail(0.5, 2.0, 1.0, false, false);
   EXPECT_NEAR(cloud.mixture().wheel_fault, 0.5, 0.1);
-  for (int i = 0; i < 10; ++i) cloud.let_wheels_fail(0.0, 2.0, 1.0, false);
+  for (int i = 0; i < 10; ++i) cloud.let_wheels_fail(0.0, 2.0, 1.0, false, false);
   EXPECT_LT(cloud.mixture().wheel_fault, 0.1) << "slips end";
   EXPECT_GT(cloud.mixture().covariance(0, 0), before + 0.5);
 }

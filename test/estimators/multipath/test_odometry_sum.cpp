@@ -52,22 +52,51 @@ TEST(OdometrySum, KnowsItsDerivativesByTheErrors) {
   }
 }
 
+TEST(OdometrySum, TakesTurnsOfAGyroWithItsErrorsAloneAndNoneOfTheWheels) {
+  OdometrySum sum(kNoise);
+  sum.restart({0.0, 0.1, 0.2, 0.3, 0.01});
+  for (int i = 1; i <= 50; ++i) {
+    OdometryIncrement u{0.02 * i, 0.02, 1.0, 0.5};
+    u.turn_source = TurnSource::kGyro;
+    sum.add(u);
+  }
+  EXPECT_NEAR(sum.turn(), 0.5 - 0.01, 1e-9);
+  EXPECT_EQ(sum.by_errors().row(2).head<4>(), Eigen::RowVector4d::Zero());
+  EXPECT_NEAR(sum.by_errors()(2, 4), -1.0, 1e-9);
+  EXPECT_TRUE(sum.turns_by_gyro());
+  EXPECT_EQ(sum.noise({0.0, 1.0, 0.0})(2, 2), sum.noise({0.0, 0.0, 0.0})(2, 2));
+  EXPECT_GT(sum.noise({0.0, 0.0, 1.0})(2, 2), 0.0);
+  sum.add({1.02, 0.02, 1.0, 0.5});
+  EXPECT_FALSE(sum.turns_by_gyro());
+}
+
+TEST(OdometrySum, HearsOfAStandingGyroWhatItsBiasIs) {
+  OdometrySum sum(kNoise);
+  for (int i = 1; i <= 50; ++i) {
+    OdometryIncrement u{0.1 * i, 0.1, 0.0, 0.0};
+    u.rate_at_rest = 0.01 + (i % 2 == 0 ? 0.002 : -0.002);
+    sum.add(u);
+  }
+  EXPECT_NEAR(sum.rest_time(), 5.0, 1e-9);
+  EXPECT_NEAR(sum.rate_at_rest(), 0.01, 1e-9);
+}
+
 TEST(OdometrySum, OfAParkedRobotIsTimeAlone) {
   OdometrySum sum(kNoise);
   for (int i = 1; i <= 50; ++i) sum.add({0.1 * i, 0.1, 0.0, 0.0});
   EXPECT_NEAR(sum.duration(), 5.0, 1e-9);
   EXPECT_EQ(sum.moving_time(), 0.0);
   EXPECT_EQ(motion(sum), Eigen::Vector3d::Zero());
-  EXPECT_EQ(sum.noise(1.0, 1.0).norm(), 0.0);
+  EXPECT_EQ(sum.noise({}).norm(), 0.0);
 }
 
 TEST(OdometrySum, HasTheNoiseOfItsParametersTimesTheFactors) {
   OdometrySum sum(kNoise);
   for (int i = 1; i <= 500; ++i) sum.add({0.02 * i, 0.02, 2.0, 0.0});
-  const Eigen::Matrix3d way_only = sum.noise(4.0, 0.0) - sum.noise(0.0, 0.0);
+  const Eigen::Matrix3d way_only = sum.noise({4.0, 0.0, 0.0}) - sum.noise({0.0, 0.0, 0.0});
   EXPECT_NEAR(way_only(0, 0), 4.0 * square(0.005) * 20.0, 1e-12);
   EXPECT_LT(way_only(1, 1), way_only(0, 0));
-  const Eigen::Matrix3d turn_only = sum.noise(0.0, 9.0) - sum.noise(0.0, 0.0);
+  const Eigen::Matrix3d turn_only = sum.noise({0.0, 9.0, 0.0}) - sum.noise({0.0, 0.0, 0.0});
   EXPECT_NEAR(turn_only(2, 2), 9.0 * square(0.002) * 10.0, 1e-12);
 }
 
@@ -75,7 +104,7 @@ TEST(OdometrySum, IsLessSureOfCoarseSamplesThanOfFineOnes) {
   const auto spread = [](double step) {
     OdometrySum sum(kNoise);
     for (double t = step; t < 10.0; t += step) sum.add({t, step, 5.0 + std::sin(t), 0.3});
-    return sum.noise(0.0, 0.0).topLeftCorner<2, 2>().trace();
+    return sum.noise({0.0, 0.0, 0.0}).topLeftCorner<2, 2>().trace();
   };
   EXPECT_GT(spread(1.0), 100.0 * spread(0.02));
 }
@@ -84,7 +113,7 @@ TEST(OdometrySum, MayHaveGoneAnywhereInAGap) {
   OdometrySum sum(kNoise);
   sum.add({10.0, 10.0, 2.0, 0.0});
   EXPECT_NEAR(sum.missing_time(), 10.0, 1e-12);
-  EXPECT_GT(std::sqrt(sum.noise(0.0, 0.0)(1, 1)), 5.0);
+  EXPECT_GT(std::sqrt(sum.noise({0.0, 0.0, 0.0})(1, 1)), 5.0);
 }
 
 }  // namespace

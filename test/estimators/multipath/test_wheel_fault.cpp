@@ -28,10 +28,20 @@ TEST(WheelFault, MovesARobotAheadRatherThanAside) {
   Hypothesis h;
   h.wheel_fault = {1.0, 0.5};
   RandomStream random(2, 1, 1);
-  move_unseen(h, 2.0, 1.0, random);
+  move_unseen(h, 2.0, 1.0, false, random);
   EXPECT_NEAR(h.covariance(kX, kX), 4.0, 1e-9);
   EXPECT_LT(h.covariance(kY, kY), 0.5 * h.covariance(kX, kX));
   EXPECT_NE(h.mean(kYaw), 0.0);
+}
+
+TEST(WheelFault, TurnsNothingThatAGyroSees) {
+  Hypothesis h;
+  h.wheel_fault = {1.0, 2.0};
+  RandomStream random(1, 0, 0);
+  move_unseen(h, 2.0, 1.0, true, random);
+  EXPECT_EQ(h.mean(kYaw), 0.0);
+  EXPECT_EQ(h.covariance(kYaw, kYaw), 0.0);
+  EXPECT_GT(h.covariance(kX, kX), 0.0);
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "multipath_localization/core/measurements.hpp"
+#include "multipath_localization/core/parameters.hpp"
+
+namespace multipath_localization {
+
+struct GyroParameters {
+  double rate = 0.0;
+  double bias = 0.0;
+  double bias_sigma = 0.003;
+  double noise = 5e-4;
+  double scale_error = 0.0;
+
+  void fields(ParameterVisitor& field);
+};
+
+/// A gyro beside the odometry.
+class Gyro {
+ public:
+  Gyro(const GyroParameters& parameters, std::uint64_t seed);
+
+  /// Watches one step that ended at `time` [s], over which the robot turned at `yaw_rate` [rad/s]. A sample
+  /// when one is due.
+  std::optional<YawRate> step(double yaw_rate, double time);
+
+ private:
+  GyroParameters parameters_;
+  std::uint64_t seed_;
+  double bias_;
+  std::uint32_t steps_ = 0;
+  std::int64_t emitted_ = 0;
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,33 @@
+#include "multipath_localization/simulation/gyro.hpp"
+
+#include <cmath>
+
+#include "multipath_localization/core/random.hpp"
+#include "multipath_localization/simulation/streams.hpp"
+
+namespace multipath_localization {
+
+void GyroParameters::fields(ParameterVisitor& field) {
+  field("rate", rate, {0.0, 1e4}, "Hz", "at most one sample per simulation step; 0: there is no gyro");
+  field("bias", bias, {-10.0, 10.0}, "rad/s", "constant error");
+  field("bias_sigma", bias_sigma, {0.0, 10.0}, "rad/s", "its spread from seed to seed");
+  field("noise", noise, {0.0, 10.0}, "rad/sqrt(s)", "white");
+  field("scale_error", scale_error, {-0.9, 10.0}, "1", "of measured rate over true, minus 1");
+}
+
+Gyro::Gyro(const GyroParameters& parameters, std::uint64_t seed) : parameters_(parameters), seed_(seed) {
+  RandomStream random(seed_, 0, kGyroStream);
+  bias_ = parameters_.bias + parameters_.bias_sigma * random.normal();
+}
+
+std::optional<YawRate> Gyro::step(double yaw_rate, double time) {
+  ++steps_;
+  const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
+  if (due <= emitted_) return std::nullopt;
+  emitted_ = due;
+  RandomStream random(seed_, steps_, kGyroStream);
+  const double noise = parameters_.noise * std::sqrt(parameters_.rate) * random.normal();
+  return YawRate{time, yaw_rate * (1.0 + parameters_.scale_error) + bias_ + noise};
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,40 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "multipath_localization/simulation/gyro.hpp"
+
+namespace multipath_localization {
+namespace {
+
+std::vector<YawRate> read(const GyroParameters& parameters, double yaw_rate) {
+  Gyro gyro(parameters, 3);
+  std::vector<YawRate> all;
+  for (int i = 1; i <= 1000; ++i) {
+    if (const auto sample = gyro.step(yaw_rate, 0.01 * i)) all.push_back(*sample);
+  }
+  return all;
+}
+
+TEST(Gyro, IsNotThereWithoutARate) { EXPECT_TRUE(read({}, 0.5).empty()); }
+
+TEST(Gyro, ReadsTheYawRateWithBiasScaleAndNoise) {
+  GyroParameters parameters;
+  parameters.rate = 50.0;
+  parameters.bias = 0.02;
+  parameters.bias_sigma = 0.0;
+  parameters.scale_error = 0.1;
+  parameters.noise = 0.001;
+  const std::vector<YawRate> all = read(parameters, 0.5);
+  ASSERT_EQ(all.size(), 500u);
+  EXPECT_NEAR(all[10].stamp, 0.22, 1e-9);
+  double mean = 0.0, squares = 0.0;
+  for (const YawRate& sample : all) mean += sample.rate / 500.0;
+  for (const YawRate& sample : all) squares += (sample.rate - mean) * (sample.rate - mean) / 500.0;
+  EXPECT_NEAR(mean, 0.57, 0.002);
+  EXPECT_NEAR(std::sqrt(squares), 0.001 * std::sqrt(50.0), 0.001);
+}
+
+}  // namespace
+}  // namespace multipath_localization
