@@ -10,9 +10,10 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kB1I = 1561.098e6;                                                                  // [Hz]
-constexpr double kGlonassL1 = 1602.0e6;                                                              // [Hz]
-constexpr double kGlonassStep = 562.5e3;                                                             // [Hz]
+constexpr double kB1I = 1561.098e6;        // [Hz]
+constexpr double kGlonassL1 = 1602.0e6;    // [Hz]
+constexpr double kGlonassStep = 562.5e3;   // [Hz]
+constexpr std::size_t kMostOfStream = 40;  // of a satellite
 constexpr std::array<double, kConstellations> kUsable = {7200.0, 1800.0, 14400.0, 21600.0, 7200.0};  // [s]
 
 const SatelliteId& satellite_of(const Ephemeris& ephemeris) {
@@ -62,6 +63,33 @@ void Ephemerides::add(const Ephemeris& ephemeris) {
   const GnssTime reference = reference_of(ephemeris);
   if (!span_) span_ = {reference, reference};
   span_ = {std::min(span_->first, reference), std::max(span_->second, reference)};
+}
+
+void Ephemerides::update(const Ephemeris& ephemeris) {
+  std::vector<Ephemeris>& known = by_satellite_[satellite_of(ephemeris)];
+  const GnssTime reference = reference_of(ephemeris);
+  known.erase(std::remove_if(known.begin(), known.end(),
+                             [&](const Ephemeris& other) { return reference_of(other) - reference == 0.0; }),
+              known.end());
+  if (known.size() == kMostOfStream) known.erase(known.begin());
+  add(ephemeris);
+}
+
+std::vector<Ephemeris> Ephemerides::all() const {
+  std::vector<Ephemeris> ephemerides;
+  for (const auto& [satellite, known] : by_satellite_) {
+    ephemerides.insert(ephemerides.end(), known.begin(), known.end());
+  }
+  return ephemerides;
+}
+
+std::vector<SatelliteId> Ephemerides::usable(const GnssTime& time) const {
+  std::vector<SatelliteId> all;
+  all.reserve(by_satellite_.size());
+  for (const auto& [satellite, known] : by_satellite_) {
+    if (find(satellite, time) != nullptr) all.push_back(satellite);
+  }
+  return all;
 }
 
 const Ephemeris* Ephemerides::find(const SatelliteId& satellite, const GnssTime& time) const {

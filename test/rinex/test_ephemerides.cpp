@@ -116,5 +116,23 @@ TEST(TransmissionTime, LeavesReceiverClockOutAndTakesSatelliteClockIn) {
   }
 }
 
+TEST(Ephemerides, OfAStreamTheLatestOfAReferenceAndTheLastFortyAreKept) {
+  Ephemerides ephemerides;
+  BroadcastOrbit orbit = orbit_of<BroadcastOrbit>(kGps5, {Constellation::kGps, 5}, on_24_june(9, 0));
+  const GnssTime first = orbit.reference;
+  for (int i = 0; i < 100; ++i) {
+    orbit.reference = first + 16.0 * i;
+    ephemerides.update(orbit);
+    ephemerides.update(orbit);
+  }
+  EXPECT_EQ(ephemerides.all().size(), 40U);
+  EXPECT_EQ(ephemerides.usable(first).size(), 1U);
+  orbit.healthy = false;
+  ephemerides.update(orbit);
+  EXPECT_EQ(ephemerides.all().size(), 40U);
+  EXPECT_EQ(ephemerides.find(orbit.satellite, orbit.reference), nullptr);
+  EXPECT_TRUE(ephemerides.usable(orbit.reference).empty());
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -32,6 +32,16 @@ class Ephemerides {
  public:
   void add(const Ephemeris& ephemeris);
 
+  /// The same of a stream that never ends: takes the place of one of the same reference, and leaves of the
+  /// satellite the last 40, which are all that may be used (Galileo's come every ten minutes).
+  void update(const Ephemeris& ephemeris);
+
+  /// Satellites of which there is one that may be used at that time.
+  [[nodiscard]] std::vector<SatelliteId> usable(const GnssTime& time) const;
+
+  /// All that are held, satellite after satellite.
+  [[nodiscard]] std::vector<Ephemeris> all() const;
+
   /// The first and the last reference time, nothing without ephemerides.
   [[nodiscard]] std::optional<std::pair<GnssTime, GnssTime>> span() const { return span_; }
 
