@@ -142,7 +142,7 @@ inline Words galileo_pages(const Bits& word) {
   odd.put(2, 2).add(word.part(112, 16)).put(0x5A5A5A5A5A, 40).put(0, 24);
   odd.put(crc24q_of(even.text() + odd.text()), 24);
   even.put(0, 14);
-  return words_of(even.text() + odd.put(0, 22).text());
+  return words_of(even.text() + odd.put(0, 22).text() + std::string(32, '1'));  // u-blox sends one word more
 }
 
 struct GalileoCodes {
@@ -175,6 +175,14 @@ inline std::vector<Words> galileo_words(const BroadcastOrbit& orbit, const GnssT
   std::vector<Words> pages;
   for (const Bits& word : words) pages.push_back(galileo_pages(word));
   return pages;
+}
+
+/// The words that are of no ephemeris: spare with the time, and offsets between scales of time.
+inline std::vector<Words> galileo_other_words(const GnssTime& sent) {
+  Bits spare, offsets;
+  spare.put(0, 6).put(2, 2).put(0, 88).put(sent.week - 1024, 12).put(week_second(sent), 20);
+  offsets.put(6, 6).put(0, 99).put(week_second(sent), 20).put(0, 3);
+  return {galileo_pages(spare), galileo_pages(offsets)};
 }
 
 // ---- BeiDou, B1I ICD, figures 5-6 to 5-14 (D1) and 5-16 to 5-26 (D2).
@@ -411,11 +419,16 @@ inline std::vector<Words> broadcast(const Ephemeris& ephemeris, const GnssTime& 
     return glonass_strings(*glonass, leap_seconds_at(glonass->reference));
   }
   const auto& orbit = std::get<BroadcastOrbit>(ephemeris);
+  const int issue = static_cast<int>(orbit.toe / 600.0) % 256;
   switch (orbit.satellite.constellation) {
-    case Constellation::kGalileo: return galileo_words(orbit, sent);
+    case Constellation::kGalileo: {
+      const std::vector<Words> words = galileo_words(orbit, sent, {issue});
+      const std::vector<Words> others = galileo_other_words(sent);
+      return {words[1], words[3], others[1], words[0], words[2], words[4], others[0]};
+    }
     case Constellation::kBeidou:
       return geostationary(orbit.satellite) ? beidou_d2(orbit, sent) : beidou_d1(orbit, sent);
-    default: return gps_subframes(orbit, sent);
+    default: return gps_subframes(orbit, sent, {issue});
   }
 }
 
