@@ -84,8 +84,7 @@ SatelliteObservation to_observation(const Pseudorange& message, const LocalFrame
   return observation;
 }
 
-/// All but the satellite's place and velocity.
-Pseudorange measured(const SatelliteObservation& observation) {
+Pseudorange to_message(const SatelliteObservation& observation, const LocalFrame& map) {
   Pseudorange message;
   message.constellation = static_cast<std::uint8_t>(observation.constellation);
   message.satellite = static_cast<std::uint16_t>(observation.satellite);
@@ -94,23 +93,8 @@ Pseudorange measured(const SatelliteObservation& observation) {
   message.cn0 = observation.cn0;
   message.elevation = observation.elevation;
   message.sigma = observation.sigma;
-  return message;
-}
-
-Pseudorange to_message(const SatelliteObservation& observation, const LocalFrame& map) {
-  Pseudorange message = measured(observation);
   assign(message.position, map.satellite_to_ecef(observation.position));
   assign(message.velocity, map.satellite_velocity_to_ecef(observation.position, observation.velocity));
-  return message;
-}
-
-/// `seen` as it is from the antenna, of `tracked`.
-Pseudorange to_message(const TrackedSatellite& tracked, const SatelliteObservation& seen) {
-  constexpr double kUnknown = SatelliteObservation::kUnknown;
-  Pseudorange message = measured(seen);
-  assign(message.position, tracked.at_transmission.position);
-  assign(message.velocity, seen.has_doppler() ? tracked.at_transmission.velocity
-                                              : Eigen::Vector3d(kUnknown, kUnknown, kUnknown));
   return message;
 }
 
@@ -146,16 +130,6 @@ std::optional<Geodetic> solve_geodetic(const GnssEpoch& message, const EpochPara
   const LocalFrame anywhere(Geodetic{});
   const CheckedEpoch checked = to_epoch(message, anywhere, parameters);
   return solve_geodetic(checked.epoch.observations, anywhere);
-}
-
-GnssEpoch to_message(const CorrectedEpoch& epoch, const std_msgs::Header& header) {
-  GnssEpoch message;
-  message.header = header;
-  message.pseudoranges.reserve(epoch.observations.size());
-  for (std::size_t i = 0; i < epoch.observations.size(); ++i) {
-    message.pseudoranges.push_back(to_message(epoch.satellites[i], epoch.observations[i]));
-  }
-  return message;
 }
 
 GnssEpoch to_message(const PseudorangeEpoch& epoch, const LocalFrame& map, const std_msgs::Header& header) {

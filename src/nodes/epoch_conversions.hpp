@@ -8,7 +8,6 @@
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/rinex/point_positioning.hpp"
 
 /// Raw measurements as messages and back: ECEF there, map here.
 namespace multipath_localization {
@@ -60,9 +59,6 @@ Reason check(const GnssEpoch& message, const EpochParameters& parameters);
 /// Where the antenna was by plain least squares over the satellites that `to_epoch` keeps; nothing where they
 /// do not tell or lead over 100 km up or down.
 std::optional<Geodetic> solve_geodetic(const GnssEpoch& message, const EpochParameters& parameters);
-
-/// What was corrected as rinex_to_drive writes it, whose pseudoranges.csv becomes the same message.
-GnssEpoch to_message(const CorrectedEpoch& epoch, const std_msgs::Header& header);
 
 /// The way back; `to_epoch` gives the same epoch again.
 GnssEpoch to_message(const PseudorangeEpoch& epoch, const LocalFrame& map, const std_msgs::Header& header);

@@ -2,16 +2,16 @@
 
 #include <ros/callback_queue.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 #include <system_error>
 
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/atomic_file.hpp"
 #include "multipath_localization/rinex/navigation_writer.hpp"
+#include "nodes/corrected_epoch_message.hpp"
 #include "nodes/driver_messages.hpp"
-#include "nodes/epoch_conversions.hpp"
 
 namespace multipath_localization {
 
@@ -31,29 +31,6 @@ PositioningSettings settings_of(const GnssReceiverParameters& parameters) {
 }
 
 }  // namespace
-
-void GnssReceiverParameters::fields(ParameterVisitor& field) {
-  field("source", source, {},
-        "of the receiver's stream: a serial line (/dev/ttyACM0), a file (/path/drive.ubx), tcp://host:port; "
-        "empty: the topics of a driver");
-  field("baud", baud, {0, 921600}, "bit/s", "of a serial line; 0 leaves it as it is, as USB wants it");
-  field("stamps", stamps, {"receiver", "arrival"},
-        "of epochs: the receiver's time, for a host whose clock is synchronised, or when they arrived");
-  field("frame", frame, {}, "frame of the antenna");
-  field("elevation_mask_deg", elevation_mask_deg, {0.0, 60.0}, "deg", "lower satellites are left out");
-  field(
-      "ephemeris_file", ephemeris_file, {},
-      "absolute path where ephemerides are saved once a minute, as RINEX, and read at the next start; empty: "
-      "nowhere");
-  field("navigation_file", navigation_file, {},
-        "absolute path of a RINEX navigation file that helps until satellites have told; empty: none");
-  field("record_file", record_file, {}, "absolute path that the stream is appended to; empty: none");
-  field("rate", rate, {0.0, 1000.0}, "1",
-        "recorded seconds per second of a file; 0: as fast as it can be read");
-  for (const std::string* file : {&ephemeris_file, &navigation_file, &record_file}) {
-    if (!file->empty() && file->front() != '/') throw ParameterError(*file + " is not an absolute path");
-  }
-}
 
 ros::Time utc_stamp(const GnssTime& time, int leap_seconds) {
   const double whole = std::floor(time.second);
@@ -96,8 +73,8 @@ void GnssReceiverNode::read_navigation_files() {
 }
 
 void GnssReceiverNode::subscribe() {
-  const auto add = [this](const char* topic, void (GnssReceiverNode::*take)(const Shifted&)) {
-    topics_.push_back(node_.subscribe(topic, kQueue, take, this, ros::TransportHints().tcpNoDelay()));
+  const auto add = [this](const char* topic, void (GnssReceiverNode::*handler)(const Shifted&)) {
+    topics_.push_back(node_.subscribe(topic, kQueue, handler, this, ros::TransportHints().tcpNoDelay()));
   };
   add("rxmraw", &GnssReceiverNode::on_rawx);
   add("rxmsfrb", &GnssReceiverNode::on_sfrbx);

@@ -10,24 +10,10 @@
 
 #include "nodes/background_writer.hpp"
 #include "nodes/byte_source.hpp"
+#include "nodes/gnss_receiver_parameters.hpp"
 #include "nodes/receiver_diagnostics.hpp"
 
 namespace multipath_localization {
-
-struct GnssReceiverParameters {
-  std::string source;
-  int baud = 0;
-  std::string stamps = "receiver";
-  std::string frame = "gps";
-  double elevation_mask_deg = 5.0;
-  std::string ephemeris_file;
-  std::string navigation_file;
-  std::string record_file;
-  double rate = 1.0;
-
-  /// Throws ParameterError on a file that is no absolute path.
-  void fields(ParameterVisitor& field);
-};
 
 /// Raw measurements and ephemerides of a receiver in, from its own stream or its driver's topics, epochs of
 /// corrected pseudoranges out, as rinex_to_drive makes them of the same data.

@@ -7,6 +7,7 @@
 
 #include "tools/doctor/checks.hpp"
 #include "tools/doctor/observe.hpp"
+#include "tools/doctor/raw_stream.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -27,6 +28,9 @@ po::options_description options_of(ObservationRequest& request) {
   add("node", text(request.node), "live: the node whose parameters count where --params is not given");
   add("seconds", po::value(&request.seconds)->default_value(request.seconds),
       "live: watch for so long; drive meanwhile");
+  add("raw", po::value<std::string>(),
+      "a u-blox receiver's own stream instead: a serial line, a file, tcp://host:port");
+  add("baud", po::value<int>()->default_value(0), "of that serial line, 0: as it is");
   add("help", "print this");
   return options;
 }
@@ -64,6 +68,10 @@ int main(int argc, char** argv) {
       std::cout << description
                 << "Exit status: 0 when nothing has to be fixed, 1 when something has, 2 on an error.\n";
       return 0;
+    }
+    if (given.count("raw") > 0) {
+      return ml::report(ml::check_stream(
+          ml::observe_stream(given["raw"].as<std::string>(), given["baud"].as<int>(), request.seconds)));
     }
     return ml::report(ml::diagnose(ml::observe(argc, argv, given, request)));
   } catch (const std::exception& error) {

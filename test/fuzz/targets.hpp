@@ -15,6 +15,7 @@ void parameters(const std::string& bytes);
 void saved(const std::string& bytes);
 void scenario(const std::string& bytes);
 void services(const std::string& bytes);
+void ubx(const std::string& bytes);
 void waypoints(const std::string& bytes);
 
 using Target = void (*)(const std::string& bytes);
@@ -22,10 +23,15 @@ using Target = void (*)(const std::string& bytes);
 /// By name, which is that of the target's folder in corpus/, too.
 inline const std::map<std::string, Target>& targets() {
   static const std::map<std::string, Target> all = {
-      {"drive", drive},           {"messages", messages},
-      {"navigation", navigation}, {"observations", observations},
-      {"parameters", parameters}, {"saved", saved},
-      {"scenario", scenario},     {"services", services},
+      {"drive", drive},
+      {"messages", messages},
+      {"navigation", navigation},
+      {"observations", observations},
+      {"parameters", parameters},
+      {"saved", saved},
+      {"scenario", scenario},
+      {"services", services},
+      {"ubx", ubx},
       {"waypoints", waypoints},
   };
   return all;

@@ -39,6 +39,15 @@ class LaunchFiles(unittest.TestCase):
         set_there = launched('localization.launch', self.params, 'odom_frame:=odom_2')
         self.assertEqual(set_there['/localization/odom_frame'], 'odom_2')
 
+    def test_raw_measurements_are_one_argument_away(self):
+        plain = launched('robot.launch')
+        self.assertNotIn('/gnss_receiver/source', plain)
+        self.assertNotIn('/localization/estimator', plain)
+        raw = launched('robot.launch', 'raw:=true', 'source:=tcp://host:5000')
+        self.assertEqual(raw['/gnss_receiver/source'], 'tcp://host:5000')
+        self.assertEqual(raw['/gnss_receiver/stamps'], 'receiver')
+        self.assertEqual(raw['/localization/estimator'], 'pseudorange_mixture_filter')
+
     def test_the_odometry_of_a_bag(self):
         set_there = launched('bag.launch', 'bag:=none.bag', 'odom_frame:=wheels')
         self.assertEqual(set_there['/localization/odom_frame'], 'wheels')
