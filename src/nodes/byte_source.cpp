@@ -55,7 +55,8 @@ struct Address {
 };
 
 Address address_of(const std::string& name) {
-  const std::size_t first = std::strlen(kTcp), colon = name.rfind(':');
+  const std::size_t first = std::strlen(kTcp);
+  const std::size_t colon = name.rfind(':');
   if (colon <= first || colon + 1 == name.size()) {
     throw ParameterError("source: " + name + " is not tcp://host:port");
   }

@@ -103,7 +103,8 @@ Heard take_satellite(ByteReader& in) {
   Heard heard;
   heard.time = take_time(in);
   const std::optional<SatelliteId> satellite = satellite_of(in.take<std::uint32_t>());
-  const std::vector<double> frequencies = take_list<double>(in), cn0 = take_list<double>(in);
+  const std::vector<double> frequencies = take_list<double>(in);
+  const std::vector<double> cn0 = take_list<double>(in);
   take_list<std::uint8_t>(in);  // losses of lock
   take_list<std::uint8_t>(in);  // codes
   const std::vector<double> pseudoranges = take_list<double>(in);
@@ -154,7 +155,8 @@ BroadcastOrbit take_orbit(ByteReader& in) {
     cosine_and_sine->x() = next();
   }
   for (double& coefficient : orbit.clock_polynomial) coefficient = next();
-  const double first = next(), second = next();
+  const double first = next();
+  const double second = next();
   orbit.group_delay = galileo ? second : first;
   return orbit;
 }
@@ -219,7 +221,7 @@ std::optional<RawEpoch> gnss_comm_epoch(const topic_tools::ShapeShifter& message
 }
 
 std::optional<Ephemeris> gnss_comm_ephemeris(const topic_tools::ShapeShifter& message) {
-  const std::string md5sum = message.getMD5Sum();
+  const std::string& md5sum = message.getMD5Sum();
   std::optional<Ephemeris> ephemeris;
   if (md5sum == kOrbit) {
     ephemeris = read_whole(message, [](ByteReader& in) { return Ephemeris(take_orbit(in)); });

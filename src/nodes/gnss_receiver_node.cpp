@@ -38,7 +38,7 @@ ros::Time utc_stamp(const GnssTime& time, int leap_seconds) {
   return ros::Time(static_cast<std::uint32_t>(second), 0) + ros::Duration(time.second - whole);
 }
 
-GnssReceiverNode::GnssReceiverNode(ros::NodeHandle node, const GnssReceiverParameters& parameters)
+GnssReceiverNode::GnssReceiverNode(const ros::NodeHandle& node, const GnssReceiverParameters& parameters)
     : parameters_(parameters),
       node_(node),
       positioning_(settings_of(parameters)),

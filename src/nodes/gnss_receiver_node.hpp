@@ -20,7 +20,7 @@ namespace multipath_localization {
 class GnssReceiverNode {
  public:
   /// Throws ParameterError on an unusable parameter, RinexError on a navigation file that cannot be read.
-  GnssReceiverNode(ros::NodeHandle node, const GnssReceiverParameters& parameters);
+  GnssReceiverNode(const ros::NodeHandle& node, const GnssReceiverParameters& parameters);
 
   /// Takes what comes until ROS shuts down or a file ends.
   void spin();

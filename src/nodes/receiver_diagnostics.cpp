@@ -34,7 +34,8 @@ void ReceiverDiagnostics::add_epoch(double ahead, bool published) {
 }
 
 std::string ReceiverDiagnostics::what_is_wrong(double seconds) const {
-  const std::size_t bad = receiver_.framing().checksum_errors(), good = receiver_.framing().messages();
+  const std::size_t bad = receiver_.framing().checksum_errors();
+  const std::size_t good = receiver_.framing().messages();
   if (source_ != nullptr && !source_->trouble().empty()) return source_->trouble();
   if (!refused_.empty()) return refused_ + ": messages of another version or type";
   if (source_ != nullptr && bytes_ == 0) return "no bytes come";

@@ -114,7 +114,7 @@ BroadcastOrbit BeidouMessage::orbit_of_d2(const ReceptionTime& now) const {
   // What follows from page 3 on runs on from page to page, each of which is left where these bits end.
   BitString run;
   run.append(parts_[2]->bits, 80, 28);
-  for (const std::size_t page : {4, 5, 6, 7}) run.append(parts_.at(page - 1)->bits, kPageContent, 64);
+  for (const std::size_t page : {4U, 5U, 6U, 7U}) run.append(parts_.at(page - 1)->bits, kPageContent, 64);
   run.append(parts_[7]->bits, kPageContent, 66);
   run.append(parts_[8]->bits, kPageContent, 64);
   run.append(parts_[9]->bits, kPageContent, 19);

@@ -104,7 +104,8 @@ std::optional<KlobucharCoefficients> gps_ionosphere(const Subframe& subframe) {
   in.skip(2);  // data identifier
   if (in.whole(6) != kIonospherePage) return std::nullopt;
   KlobucharCoefficients ionosphere;
-  constexpr std::array<int, 4> kAmplitude = {-30, -27, -24, -24}, kPeriod = {11, 14, 16, 16};
+  constexpr std::array<int, 4> kAmplitude = {-30, -27, -24, -24};
+  constexpr std::array<int, 4> kPeriod = {11, 14, 16, 16};
   for (std::size_t i = 0; i < kAmplitude.size(); ++i) {
     ionosphere.alpha(static_cast<Eigen::Index>(i)) = in.scaled_signed(8, kAmplitude.at(i));
   }

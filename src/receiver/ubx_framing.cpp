@@ -17,7 +17,8 @@ std::size_t byte_at(std::string_view bytes, std::size_t place) {
 
 /// Fletcher's, over all but the sync characters and the checksum itself.
 bool checksum_holds(std::string_view frame) {
-  unsigned a = 0, b = 0;
+  unsigned a = 0;
+  unsigned b = 0;
   for (std::size_t i = 2; i < frame.size() - kChecksum; ++i) {
     a = (a + static_cast<unsigned>(byte_at(frame, i))) & 0xFFU;
     b = (b + a) & 0xFFU;

@@ -66,8 +66,9 @@ std::string text_of(const BroadcastOrbit& orbit) {
 std::string text_of(const GlonassOrbit& orbit) {
   const GnssTime utc = orbit.reference + -leap_seconds_at(orbit.reference);
   const double sent = orbit.sent ? utc.second + *orbit.sent : kUnknownTime;
-  const Eigen::Vector3d p = orbit.position / kKilometre, v = orbit.velocity / kKilometre,
-                        a = orbit.acceleration / kKilometre;
+  const Eigen::Vector3d p = orbit.position / kKilometre;
+  const Eigen::Vector3d v = orbit.velocity / kKilometre;
+  const Eigen::Vector3d a = orbit.acceleration / kKilometre;
   return head(orbit.satellite, utc) + numbers({orbit.clock, orbit.clock_drift, sent}) + "\n" +
          line({p.x(), v.x(), a.x(), orbit.healthy ? 0.0 : kUnhealthy}) +
          line({p.y(), v.y(), a.y(), static_cast<double>(orbit.channel)}) + line({p.z(), v.z(), a.z(), 0.0});

@@ -54,7 +54,8 @@ Finding check_epochs(const RawStream& seen) {
                "enable it: CFG-MSGOUT-UBX_RXM_RAWX_USB 1 (M8: CFG-MSG 02 15), and save the configuration; "
                "receivers for raw data are M8T, F9P, F9T, X20P and the like");
   }
-  const double duration = duration_of(seen), gap = longest_gap(seen);
+  const double duration = duration_of(seen);
+  const double gap = longest_gap(seen);
   if (duration == 0.0) return untold("stream: one RXM-RAWX alone: watch for longer");
   const double rate = static_cast<double>(seen.epochs.size() - 1) / duration;
   if (rate < kLeastRate || gap > kLongestGap) {
