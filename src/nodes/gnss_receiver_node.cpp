@@ -121,8 +121,9 @@ void GnssReceiverNode::spin() {
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPatience));
     }
     diagnostics_.report();
-    save_ephemerides();
+    if ((ros::WallTime::now() - saved_).toSec() > kBetweenSavings) save_ephemerides();
   }
+  save_ephemerides();
   if (!ros::ok()) return;
   ROS_INFO("%s: %zu epochs", source_->trouble().c_str(), receiver_.counts().epochs);
   ros::WallDuration(kLastMessages).sleep();
@@ -168,9 +169,8 @@ void GnssReceiverNode::wait_for(const GnssTime& time) {
 }
 
 void GnssReceiverNode::save_ephemerides() {
-  const ros::WallTime now = ros::WallTime::now();
-  if (parameters_.ephemeris_file.empty() || (now - saved_).toSec() < kBetweenSavings) return;
-  saved_ = now;
+  saved_ = ros::WallTime::now();
+  if (parameters_.ephemeris_file.empty()) return;
   writer_.write([file = parameters_.ephemeris_file, text = navigation_text(positioning_.navigation())] {
     try {
       replace_file(file, text);

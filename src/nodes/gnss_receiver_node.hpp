@@ -40,7 +40,7 @@ class GnssReceiverNode {
   void take(const ReceiverEpoch& epoch);
   /// Waits until it is time for an epoch of a file that is played.
   void wait_for(const GnssTime& time);
-  /// Once a minute, without waiting for the disk.
+  /// Without waiting for the disk.
   void save_ephemerides();
 
   GnssReceiverParameters parameters_;

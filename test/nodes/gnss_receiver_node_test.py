@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """gnss_receiver_node makes of a receiver's stream, and of its driver's topics, epochs that localise a robot that stands."""
 import math
+import shutil
 import struct
 import threading
 import time
@@ -127,6 +128,7 @@ class GnssReceiverNodeTest(unittest.TestCase):
         self.stand(3.0)
         with self.lock:
             self.check()
+        self.check_ephemerides('/tmp/gnss_receiver_node_test')
 
     def check(self):
         stream, driver = self.seen['stream'], self.seen['driver']
@@ -145,6 +147,13 @@ class GnssReceiverNodeTest(unittest.TestCase):
         status = said['gnss_receiver: receiver']
         self.assertEqual(status.level, 0, status.message)
         self.assertIn('epochs of', status.message)
+
+    def check_ephemerides(self, folder):
+        with open(folder + '/ephemerides.rnx', encoding='ascii') as file:
+            lines = file.readlines()
+        shutil.rmtree(folder)
+        self.assertIn('RINEX VERSION / TYPE', lines[0])
+        self.assertGreater(sum(line.startswith('G') for line in lines[2:]), 5)
 
 
 if __name__ == '__main__':

@@ -61,8 +61,7 @@ Finding check_epochs(const RawStream& seen) {
   if (rate < kLeastRate || gap > kLongestGap) {
     return fix(text("stream: RXM-RAWX at %.2f Hz, longest gap %.1f s", rate, gap),
                "ask for 1 to 10 Hz (CFG-RATE-MEAS 200), on a line that is fast enough for it: baud 115200 "
-               "holds 5 Hz "
-               "of 40 signals at most");
+               "holds 4 Hz of 80 signals");
   }
   return pass(text("stream: RXM-RAWX at %.2f Hz, longest gap %.1f s, the clock was moved %zu times", rate,
                    gap, seen.counts.clock_resets));
