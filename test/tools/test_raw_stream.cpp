@@ -37,7 +37,8 @@ TEST(CheckStream, FindsNothingToFixInAGoodOne) {
   const Findings findings = found_in(standing());
   EXPECT_TRUE(Passes(findings));
   EXPECT_EQ(findings.size(), 4U);
-  EXPECT_NE(findings[1].what.find("RXM-RAWX at 4.87 Hz, longest gap 1.0 s"), std::string::npos) << findings[1].what;
+  EXPECT_NE(findings[1].what.find("RXM-RAWX at 4.87 Hz, longest gap 1.0 s"), std::string::npos)
+      << findings[1].what;
 }
 
 TEST(CheckStream, NamesWhatIsNotEnabled) {
