@@ -38,7 +38,8 @@ std::string ReceiverDiagnostics::what_is_wrong(double seconds) const {
   const std::size_t good = receiver_.framing().messages();
   if (source_ != nullptr && !source_->trouble().empty()) return source_->trouble();
   if (!refused_.empty()) return refused_ + ": messages of another version or type";
-  if (source_ != nullptr && bytes_ == 0) return "no bytes come";
+  // A file is read ahead.
+  if (source_ != nullptr && !source_->is_file() && bytes_ == 0) return "no bytes come";
   if (epochs_ == 0) return "no RXM-RAWX for " + std::to_string(static_cast<int>(seconds)) + " s" + kEnable;
   if (receiver_.counts().subframes == 0 && positioning_.standing().with_ephemeris == 0) {
     return std::string("no RXM-SFRBX so far") + kEnable;
