@@ -45,7 +45,7 @@ GnssFix some_fix() {
 
 TEST(Hypothesis, MovesAsTheOdometryWithItsOwnErrorsSays) {
   Hypothesis h;
-  h.mean << 3.0, -1.0, 2.0, 0.01, 0.002, 0.02, 0.003, 0.0, 0.0, 0.0, 0.0;
+  h.mean << 3.0, -1.0, 2.0, 0.01, 0.002, 0.02, 0.003, 0.0, 0.0, 0.0, 0.0, 0.0;
   const Pose2 start = h.pose();
   const OdometrySum exact = some_odometry({0.01, 0.002, 0.02, 0.003});
   h.propagate(some_odometry({}), kNoise);
