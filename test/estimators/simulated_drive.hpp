@@ -28,6 +28,7 @@ class SimulatedDrive {
   OdometerErrors errors;
   Eigen::Vector2d antenna = Eigen::Vector2d::Zero();
   double fix_sigma = 0.3;
+  FixStatus status = FixStatus::kSingle;
   double speed = 2.0;
   double lateral_speed = 0.0;  ///< beside it [m/s]
   double bend = 0.3;           ///< largest yaw rate [rad/s]
@@ -64,6 +65,7 @@ class SimulatedDrive {
     fix.position = truth * antenna + bias(time) + fix_sigma * Eigen::Vector2d(east, random.normal());
     fix.covariance = fix_sigma * fix_sigma * Eigen::Matrix2d::Identity();
     fix.antenna_in_base = antenna;
+    fix.status = status;
     return fix;
   }
 

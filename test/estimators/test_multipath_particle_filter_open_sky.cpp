@@ -37,6 +37,7 @@ TEST(MultipathParticleFilter, IsNotOverConfidentUnderAnOpenSky) {
   double mean = 0.0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     SimulatedDrive robot(seed);
+    robot.status = FixStatus::kGroundBased;
     Localizer localizer = default_localizer(seed);
     robot.run(localizer, 40.0);
     for (int i = 0; i < 10; ++i) {
@@ -47,6 +48,43 @@ TEST(MultipathParticleFilter, IsNotOverConfidentUnderAnOpenSky) {
   // Mean of a chi-square of 2 dof plus 3.3 standard deviations, as if each run told one thing only.
   EXPECT_LT(mean, 2.0 + 3.3 * std::sqrt(4.0 / kSeeds));
   EXPECT_GT(mean, 0.1);
+}
+
+double declared(const PoseEstimate& estimate) {
+  return std::sqrt(0.5 * estimate.covariance.topLeftCorner<2, 2>().trace());
+}
+
+TEST(MultipathParticleFilter, WithoutCorrectionsKnowsThatAllFixesMayBeOffAlike) {
+  SimulatedDrive robot(1);
+  Localizer localizer = default_localizer(1);
+  robot.run(localizer, 40.0);
+  EXPECT_GT(declared(localizer.estimate()), 1.5);
+  robot.status = FixStatus::kGroundBased;
+  robot.run(localizer, 5.0);
+  EXPECT_LT(declared(localizer.estimate()), 0.7);
+  robot.status = FixStatus::kSingle;
+  robot.run(localizer, 5.0);
+  EXPECT_LT(declared(localizer.estimate()), 1.0) << "odometry keeps what corrections gave";
+  robot.run(localizer, 60.0);
+  EXPECT_GT(declared(localizer.estimate()), 1.5);
+}
+
+TEST(MultipathParticleFilter, FollowsTheFixesWhereOdometryTellsOfNoTurn) {
+  double worst = 0.0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SimulatedDrive robot(seed);
+    robot.spoilt = [](OdometryIncrement u) {
+      u.yaw_rate = 0.0;
+      return u;
+    };
+    Localizer localizer = default_localizer(seed);
+    RootMeanSquare error;
+    robot.run(localizer, 40.0);
+    robot.run(localizer, 60.0,
+              [&] { error.add(localizer.estimate().pose.position() - robot.truth.position()); });
+    worst += error.value() / 6.0;
+  }
+  EXPECT_LT(worst, 1.0) << "m in the mean of the seeds";
 }
 
 double open_sky_error(double latency, const Eigen::Vector2d& antenna, double speed) {

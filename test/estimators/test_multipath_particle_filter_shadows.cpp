@@ -113,6 +113,46 @@ bool recovers_from_an_outage(std::uint64_t drive_seed, std::uint64_t filter_seed
   return position_error(localizer.estimate(), robot.truth).norm() < 1.0;
 }
 
+TEST(MultipathParticleFilter, DoesNotTakeForGrantedWhatFixesSayAfterAnOutage) {
+  constexpr int kSeeds = 12;
+  int captured = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SimulatedDrive robot(seed);
+    robot.speed = 8.0;
+    robot.bend = 0.1;
+    robot.status = FixStatus::kGroundBased;
+    robot.bias = [](double t) { return t > 90.0 ? Eigen::Vector2d(5.66, 5.66) : Eigen::Vector2d(0.0, 0.0); };
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.0);
+    robot.receiving = false;
+    robot.run(localizer, 40.0);
+    robot.receiving = true;
+    robot.run(localizer, 50.0);
+    captured += nees(localizer.estimate(), robot.truth) > 12.0 ? 1 : 0;
+  }
+  EXPECT_LE(captured, kSeeds / 3);
+}
+
+TEST(MultipathParticleFilter, DoesNotTakeAWrongAmbiguityAfterAFloatForTheTruth) {
+  constexpr int kSeeds = 8;
+  int captured = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SimulatedDrive robot(seed);
+    robot.speed = 0.7;
+    robot.status = FixStatus::kGroundBased;
+    robot.fix_sigma = 0.02;
+    robot.bias = [](double t) { return Eigen::Vector2d(t < 80.0 ? 0.0 : t < 90.0 ? 6.5 : 5.5, 0.0); };
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 80.0);
+    robot.fix_sigma = 0.7;
+    robot.run(localizer, 10.0);
+    robot.fix_sigma = 0.02;
+    robot.run(localizer, 15.0);
+    captured += nees(localizer.estimate(), robot.truth) > 12.0 ? 1 : 0;
+  }
+  EXPECT_LE(captured, kSeeds / 4);
+}
+
 TEST(MultipathParticleFilter, GrowsUnsureThroughAnOutageAndRecovers) {
   EXPECT_TRUE(recovers_from_an_outage(7, 1));
   EXPECT_GE(share_of_seeds(6, [](std::uint64_t seed) { return recovers_from_an_outage(seed, seed); }), 0.8);

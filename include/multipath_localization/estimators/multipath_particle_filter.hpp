@@ -20,6 +20,7 @@ struct MultipathParticleFilterParameters {
   OdometryJumpParameters odometry_jump = {2.5, 8.0, 0.5};
   double stamp_sigma = 0.05;
   double sigma_factor = 1.5;
+  double uncorrected_sigma = 1.5;
   double position_sigma_floor = 0.01;
 
   void fields(ParameterVisitor& field);

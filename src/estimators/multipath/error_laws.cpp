@@ -38,8 +38,10 @@ constexpr double kFixMemory = 300.0;        // a receiver keeps its quality for 
 constexpr double kOdometryMemory = 1000.0;  // a robot keeps its own for longer: a surface, a tyre [s]
 // Of one robot in five the odometry is what its data sheet does not know: speeds from a receiver, worn gears.
 constexpr double kRoughShare = 0.2;
-constexpr double kRough = 2.5;    // log sigmas of such a one
-constexpr double kRedrawn = 1.5;  // log sigmas of a law that changes at once, a heavy tail
+constexpr double kRough = 2.5;          // log sigmas of such a one
+constexpr double kRedrawn = 1.5;        // log sigmas of a law that changes at once, a heavy tail
+constexpr double kBlindShare = 0.5;     // nothing tells odometry without turns from a straight way
+constexpr double kBlindMemory = 100.0;  // straight ways are shorter than that [s]
 
 // A shadow is one where its bias stands out of the errors of an open sky, and matters at all.
 constexpr double kLeastShadow = 1.5;          // [m]
@@ -51,10 +53,17 @@ constexpr double kLargestShadowNoise = 0.3;   // of its size: code phase under c
 // Of some the bias does not move at all and the noise is that of an open sky: a wrong ambiguity, one strong
 // reflection. Without them a pose that is off would explain such fixes better than a shadow.
 constexpr double kConstantShare = 0.3;
-constexpr double kConstantTime = 1e4;         // [s]
-constexpr double kLeastFirstBias = 0.1;       // of its size: biases walk in or jump
-constexpr double kShadowEndRate = 0.08;       // a side of a house at walking pace [1/s]
-constexpr double kShadowEndRateSpread = 3.0;  // a factor up and down: from 4 to 40 s
+constexpr double kConstantTime = 1e4;           // [s]
+constexpr double kLeastFirstBias = 0.1;         // of its size: biases walk in or jump
+constexpr double kShadowEndRate = 0.08;         // a side of a house at walking pace [1/s]
+constexpr double kShadowEndRateSpread = 3.0;    // a factor up and down: from 4 to 40 s
+constexpr double kShadowChangeRate = 1 / 30.0;  // another reflection: a house or two further [1/s]
+// A receiver that begins anew may begin wrong, by an ambiguity or among reflections, and hold on to that
+// until it finds out: after a minute, or after ten.
+constexpr double kHeldShare = 0.3;
+constexpr double kShortestHeld = 60.0;  // [s]
+constexpr double kLongestHeld = 600.0;  // [s]
+constexpr double kHeldTime = 1e7;       // so that 40 m walk by less than a carrier's wave in a minute [s]
 
 void step(double& log, const Prior& prior, double duration, double memory, RandomStream& random) {
   const double keep = std::exp(-duration / memory);
@@ -97,6 +106,7 @@ ErrorLaw draw_error_law(RandomStream& random) {
   law.log_way = kOdometry.draw(widened, random);
   law.log_turn = kOdometry.draw(widened, random);
   law.log_walk = kWalk.draw(1.0, random);
+  law.blind = random.uniform() < kBlindShare;
   return law;
 }
 
@@ -108,11 +118,14 @@ void wander(ErrorLaw& law, double duration, bool standing, RandomStream& random)
   step(law.log_way, kOdometry, duration, kOdometryMemory, random);
   step(law.log_turn, kOdometry, duration, kOdometryMemory, random);
   step(law.log_walk, kWalk, duration, kOdometryMemory, random);
+  if (happens(duration, kBlindMemory, random)) law.blind = random.uniform() < kBlindShare;
   if (happens(duration, kOdometryMemory, random)) {
     law.log_way = kOdometry.draw(kRedrawn, random);
     law.log_walk = kWalk.draw(kRedrawn, random);
   }
 }
+
+bool held(RandomStream& random) { return random.uniform() < kHeldShare; }
 
 ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& random) {
   ShadowLaw law;
@@ -123,6 +136,22 @@ ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& rando
   law.noise = constant ? 0.0 : law.size * log_uniform(kLeastShadowNoise, kLargestShadowNoise, random);
   law.first = law.size * log_uniform(kLeastFirstBias, 1.0, random);
   law.leave_rate = kShadowEndRate * log_uniform(1.0 / kShadowEndRateSpread, kShadowEndRateSpread, random);
+  law.change_rate = kShadowChangeRate;
+  return law;
+}
+
+void hold(ShadowLaw& law, RandomStream& random) {
+  law.time = kHeldTime;
+  law.noise = 0.0;
+  law.leave_rate = law.change_rate = 1.0 / log_uniform(kShortestHeld, kLongestHeld, random);
+}
+
+ShadowLaw draw_reacquired_law(double open_sigma, double largest, RandomStream& random) {
+  ShadowLaw law = draw_shadow_law(open_sigma, largest, random);
+  law.first = law.size;
+  if (!held(random)) return law;
+  hold(law, random);
+  law.time = kConstantTime;
   return law;
 }
 

@@ -15,6 +15,7 @@ struct ErrorLaw {
   double log_turn = 0.0;       ///< noise of the turn, likewise
   double log_walk = 0.0;       ///< walk of the odometry's constants, likewise
   double log_gyro = 0.0;       ///< noise of the gyro beside the odometry, in that of a cheap one
+  bool blind = false;          ///< odometry that has told of no turn yet tells of none
 
   [[nodiscard]] double white_variance() const;  ///< [declared variance]
   [[nodiscard]] double slow_sigma() const;      ///< [declared sigma]
@@ -35,16 +36,25 @@ void wander(ErrorLaw& law, double duration, bool standing, RandomStream& random)
 /// What the fixes of one shadow are off by, equation (7): a bias that is a Gauss-Markov process, and white
 /// noise.
 struct ShadowLaw {
-  double size = 0.0;        ///< sigma of the bias [m]
-  double time = 0.0;        ///< its correlation time [s]
-  double noise = 0.0;       ///< sigma of the white noise [m]
-  double first = 0.0;       ///< sigma of the first bias [m]
-  double leave_rate = 0.0;  ///< how soon the shadow ends [1/s]
+  double size = 0.0;         ///< sigma of the bias [m]
+  double time = 0.0;         ///< its correlation time [s]
+  double noise = 0.0;        ///< sigma of the white noise [m]
+  double first = 0.0;        ///< sigma of the first bias [m]
+  double leave_rate = 0.0;   ///< how soon the shadow ends [1/s]
+  double change_rate = 0.0;  ///< how soon another reflection takes over [1/s]
 };
 
 /// A law for the next shadow, of biases from what tells them from the errors of an open sky (`open_sigma`
 /// [m]) up to `largest` [m].
 ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& random);
+
+/// Whether a receiver that begins anew within a shadow holds on to the error that it begins with.
+bool held(RandomStream& random);
+/// The bias moves no more, for minutes: of wrong ambiguities.
+void hold(ShadowLaw& law, RandomStream& random);
+
+/// A law where the fixes come back after a gap: nobody saw the bias begin, and it may be held.
+ShadowLaw draw_reacquired_law(double open_sigma, double largest, RandomStream& random);
 
 /// Draws log-uniformly from low..high, both above zero.
 double log_uniform(double low, double high, RandomStream& random);

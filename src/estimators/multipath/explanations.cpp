@@ -18,20 +18,25 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr double kOutlierShare = 0.02;          // what receivers that are well call a fix and is none
-constexpr double kLargestOutlier = 40.0;        // [m]
-constexpr double kShadowChangeRate = 1 / 30.0;  // another reflection: a house or two further [1/s]
+constexpr double kOutlierShare = 0.02;    // what receivers that are well call a fix and is none
+constexpr double kLargestOutlier = 40.0;  // [m]
 // A bias that stays for minutes is rather an error of the pose: what holds that gains on the shadow, which
 // ought to have ended, and outweighs it after about two minutes.
-constexpr double kWrongPoseRate = 3e-4;       // [1/s]
-constexpr double kLostRate = 1e-4;            // of hypotheses that are wrong in a way no other covers [1/s]
-constexpr double kNearLost = 6.0;             // [m]
-constexpr double kFarLost = 600.0;            // [m]
-constexpr double kLostHeadingVariance = 0.1;  // [rad^2]
+constexpr double kWrongPoseRate = 3e-4;  // [1/s]
+constexpr double kLostRate = 1e-4;       // of hypotheses that are wrong in a way no other covers [1/s]
+// Of odometry alone, in a way that its law does not tell: as probable, in the end, as a receiver that holds
+// on to a wrong beginning, or neither could be found out.
+constexpr double kLostInGap = 0.05;
+constexpr double kLongGap = 30.0;                 // in which that may have happened [s]
+constexpr double kNearLost = 6.0;                 // [m]
+constexpr double kFarLost = 600.0;                // [m]
+constexpr double kLostHeadingVariance = 0.1;      // [rad^2]
 constexpr double kShiftedHeadingVariance = 0.01;  // [rad^2]
 // A worse declared sigma makes a shadow likelier, and its end less likely, up to this.
 constexpr double kMostDeclaredInfluence = 10.0;
 constexpr double kMostEntry = 0.5;  // probability of entry at one fix
+// Whatever a float was off by in a shadow, wrong ambiguities are off by something else.
+constexpr double kChangeAnew = 0.5;
 
 constexpr std::size_t kMostExplanations = 7;
 
@@ -115,7 +120,8 @@ Explainer::Explainer(const Hypothesis& hypothesis, const Sighting& sighting, Ran
   const double reach = std::sqrt(h_.law.white_variance()) * sigma;
   outlier_ = square(log_uniform(3.0 * reach, std::max(kLargestOutlier, 4.0 * reach), random_)) *
              Matrix2d::Identity();
-  next_shadow_ = draw_shadow_law(h_.law.open_sigma() * h_.level, z_.largest_bias, random_);
+  const auto draw = z_.reacquired ? draw_reacquired_law : draw_shadow_law;
+  next_shadow_ = draw(h_.law.open_sigma() * h_.level, z_.largest_bias, random_);
 
   const bool failing = h_.wheel_fault.any();
   fault_ = failing ? h_.wheel_fault : draw_wheel_fault(random_);
@@ -193,7 +199,7 @@ void Explainer::under_open_sky() {
 void Explainer::in_shadow() {
   const double leave = probability(
       h_.shadow_law.leave_rate / std::min(kMostDeclaredInfluence, declared_influence_), z_.duration);
-  const double change = probability(kShadowChangeRate, z_.duration);
+  const double change = z_.refixed ? kChangeAnew : probability(h_.shadow_law.change_rate, z_.duration);
   const double stay = (1.0 - leave) * (1.0 - change);
   Explanation on;
   on.in_shadow = true;
@@ -224,7 +230,8 @@ void Explainer::lost() {
   lost.shadow = {0.0, 0.0};
   lost.noise = white_;
   lost.displaced = square(log_uniform(kNearLost, kFarLost, random_));
-  add(probability(kLostRate, z_.duration), lost);
+  const double in_gap = z_.after_gap ? kLostInGap * probability(1.0 / kLongGap, z_.duration) : 0.0;
+  add(probability(kLostRate, z_.duration) + in_gap, lost);
 }
 
 double Explainer::log_likelihood(const Explanation& e) const {
@@ -267,6 +274,7 @@ void Explainer::apply(const Explanation& chosen, Hypothesis& h) {
   if (chosen.new_shadow) h.shadow_law = next_shadow_;
   if (chosen.moved_by_bias) move_by_bias(h);
   h.in_shadow = chosen.in_shadow && !chosen.moved_by_bias;
+  if (z_.refixed && h.in_shadow && held(random_)) hold(h.shadow_law, random_);
   h.level = h.in_shadow ? shadow_level_ : z_.level;
   h.wheel_fault = chosen.fault;
   if (chosen.fault.any()) move_unseen(h, z_.usual_speed, z_.duration, z_.turns_by_gyro, random_);

@@ -10,6 +10,9 @@ namespace multipath_localization::multipath {
 struct Sighting {
   GnssFix fix;                     ///< covariance positive definite
   double duration = 0.0;           ///< since the last one, > 0 [s]
+  bool after_gap = false;          ///< the first fix after a gap
+  bool refixed = false;            ///< the first for which the receiver has fixed its ambiguities
+  bool reacquired = false;         ///< soon after one or the other, with which a receiver begins anew
   bool standing = false;           ///< the wheels stood for most of that
   bool turns_by_gyro = false;      ///< turns since the last one are a gyro's
   double level = 0.0;              ///< declared sigma that holds from now on [m]

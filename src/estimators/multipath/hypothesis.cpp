@@ -46,7 +46,9 @@ void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noi
   mean(kYaw) = wrap_angle(mean(kYaw) + odometry.turn() + correction(2));
   covariance.topRows<3>() += J * covariance.middleRows<kCauses>(kYaw).eval();
   covariance.leftCols<3>() += covariance.middleCols<kCauses>(kYaw).eval() * J.transpose();
-  covariance.topLeftCorner<3, 3>() += turned * odometry.noise(law.odometry_noise()) * turned.transpose();
+  Eigen::Matrix3d unsure = odometry.noise(law.odometry_noise());
+  if (law.blind) unsure += odometry.untold_turns();
+  covariance.topLeftCorner<3, 3>() += turned * unsure * turned.transpose();
   const double walk = std::exp(2.0 * law.log_walk) * odometry.moving_time();
   covariance(kScale, kScale) += square(noise.scale_walk) * walk;
   covariance(kGyroBias, kGyroBias) += square(noise.gyro_bias_walk) * walk;

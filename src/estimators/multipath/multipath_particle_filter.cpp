@@ -9,6 +9,7 @@
 #include "estimators/multipath/hypothesis_cloud.hpp"
 #include "estimators/multipath/rival.hpp"
 #include "estimators/multipath/wheel_watch.hpp"
+#include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/estimators/fix_check.hpp"
 
@@ -19,8 +20,16 @@ namespace {
 constexpr double kLongestSum = 1.0;  ///< odometry is linearised over at most this long [s]
 /// Fixes within this time are one, just below a receiver's second [s].
 constexpr double kBlock = 0.9;
-constexpr double kOutage = 2.0;         ///< without a fix for longer, wheels are judged without one [s]
-constexpr double kShortestTime = 1e-3;  ///< between two fixes of one stamp [s]
+/// Without a fix for longer, wheels are judged without one; the slowest receivers in use send one in two
+/// seconds [s].
+constexpr double kOutage = 3.0;
+constexpr double kReacquisition = 5.0;  ///< a receiver that begins anew settles within this time [s]
+/// A receiver that fixes its ambiguities declares less than this from one fix to the next,
+constexpr double kFixed = 0.1;  // [m]
+constexpr double kFloat = 0.3;  ///< and more than that before [m]
+/// How soon odometry forgets a position that corrected fixes gave [s].
+constexpr double kCorrectedMemory = 60.0;
+constexpr double kShortestTime = 1e-3;                     ///< between two fixes of one stamp [s]
 constexpr std::uint64_t kRivalSeed = 0x9E3779B97F4A7C15U;  ///< its draws are not those of the cloud
 constexpr double kLeastSigma = 1e-3;  ///< no receiver is better than that, whatever it declares [m]
 
@@ -59,6 +68,10 @@ void MultipathParticleFilterParameters::tunable(ParameterVisitor& field) {
         "certain along the way");
   field("sigma_factor", sigma_factor, {1.0, 10.0}, "1",
         "published standard deviations of the pose in those of the hypotheses: no model of errors is exact");
+  field("uncorrected_sigma", uncorrected_sigma, {0.0, 100.0}, "m",
+        "1 sigma of what all fixes of a drive may be off by alike where the receiver gets no corrections "
+        "(NavSatStatus 0): ionosphere and orbits, which nothing on the robot sees; added to the published "
+        "position; 0 for one with corrections whose driver does not tell");
   field("position_sigma_floor", position_sigma_floor, {0.0, 100.0}, "m",
         "added to the published position: no covariance is believed below it");
   field.group("odometry", odometry, "how far the wheel odometry can be trusted, within a factor of two");
@@ -111,6 +124,11 @@ struct MultipathParticleFilter::State {
     block_moved = Pose2{};
   }
   void weigh(const MultipathParticleFilterParameters& parameters);
+  /// A position is known as well as corrections make it, and for a while after they are gone.
+  void note_corrections(const GnssFix& fix, double duration, double uncorrected_sigma) {
+    const double variance = fix.status == FixStatus::kSingle ? square(uncorrected_sigma) : 0.0;
+    common_variance = std::min(variance, common_variance + duration / kCorrectedMemory * variance);
+  }
 
   multipath::HypothesisCloud cloud;
   multipath::Rival rival;
@@ -122,8 +140,11 @@ struct MultipathParticleFilter::State {
   FixCheck fix_check;
   double now = 0.0;
   double last_weighed = 0.0;
-  double fixes_in_block = 1.0;  ///< the last one: so much whiter is its mean than each
-  double speed = 0.0;           ///< of the last increment, over ground [m/s]
+  double last_declared = 0.0;           ///< [m]
+  double reacquired = -kReacquisition;  ///< when fixes came back after an outage [s]
+  double common_variance = 0.0;         ///< of what all fixes are off by alike, an axis [m^2]
+  double fixes_in_block = 1.0;          ///< the last one: so much whiter is its mean than each
+  double speed = 0.0;                   ///< of the last increment, over ground [m/s]
 };
 
 void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParameters& parameters) {
@@ -133,14 +154,21 @@ void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParamete
   fixes_in_block = static_cast<double>(block.size());
   sighting.fix = block.take(cloud.mixture().mean(multipath::kYaw));
   sighting.duration = std::max(kShortestTime, now - last_weighed);
+  const double declared = mean_sigma(sighting.fix.covariance);
+  sighting.after_gap = sighting.duration > kOutage;
+  sighting.refixed = declared < kFixed && last_declared > kFloat;
+  last_declared = declared;
+  if (sighting.after_gap || sighting.refixed) reacquired = now;
+  sighting.reacquired = now - reacquired < kReacquisition;
   sighting.standing = wheels.standing(sighting.duration);
   const double way = wheels.way();
-  wheels.look_back(sighting.duration);
+  wheels.look_back(sighting.duration, cloud.mixture().wheel_fault);
   sighting.usual_speed = wheels.usual_speed();
   sighting.fault_probability = wheels.fault_probability(sighting.duration);
   sighting.largest_bias = parameters.largest_bias;
   sighting.shadow_entry_rate = 1.0 / parameters.time_between_shadows;
   rival.weigh(sighting, cloud.weigh(sighting), cloud);
+  note_corrections(sighting.fix, sighting.duration, parameters.uncorrected_sigma);
   last_weighed = now;
   restart_odometry();
   alignment.update(way, cloud.mixture().covariance(2, 2));
@@ -200,6 +228,7 @@ Innovation MultipathParticleFilter::update(const Measurement& z) {
   result.reason = Reason::kAccepted;
   if (state_->cloud.empty()) {
     state_->cloud.start(fix);
+    state_->note_corrections(fix, kCorrectedMemory, parameters_.uncorrected_sigma);
     state_->last_weighed = state_->now;
     state_->restart_odometry();
     return result;
@@ -231,7 +260,8 @@ PoseEstimate MultipathParticleFilter::estimate() const {
       rotation(result.pose.yaw).col(0) * parameters_.stamp_sigma * state_->speed;
   // The slow error may be one that stays for the whole drive, which nobody sees.
   result.covariance.topLeftCorner<2, 2>() +=
-      (square(parameters_.position_sigma_floor) + mixture.slow_variance) * Eigen::Matrix2d::Identity() +
+      (square(parameters_.position_sigma_floor) + mixture.slow_variance + state_->common_variance) *
+          Eigen::Matrix2d::Identity() +
       between_stamps * between_stamps.transpose();
   result.position_covariance_overall = result.covariance.topLeftCorner<2, 2>();
   result.dominance = mixture.agreement;

@@ -19,6 +19,8 @@ constexpr double kUniform = 0.2887;
 constexpr double kGap = 2.5;
 /// What a robot changes its speed by, within a gap, beyond what it had before it [m/s].
 constexpr double kUnseenSpeed = 1.0;
+/// Turns that nobody measures: 0.15 rad/s as cars and robots do, for three seconds each [rad/sqrt(s)].
+constexpr double kUntoldTurn = 0.4;
 
 Eigen::Vector2d perpendicular(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
@@ -26,9 +28,11 @@ Eigen::Vector2d perpendicular(const Eigen::Vector2d& v) { return {-v.y(), v.x()}
 
 void OdometrySum::restart(const OdometryErrors& errors) {
   const Eigen::Vector2d velocity = last_velocity_;
+  const bool has_turned = has_turned_;
   *this = OdometrySum(noise_);
   errors_ = errors;
   last_velocity_ = velocity;
+  has_turned_ = has_turned;
 }
 
 void OdometrySum::add(const OdometryIncrement& u) {
@@ -58,6 +62,7 @@ void OdometrySum::add(const OdometryIncrement& u) {
   }
   const Pose2 step = multipath_localization::displacement(corrected);
   const Eigen::Vector2d way = rotation(turn_) * step.position();
+  has_turned_ = has_turned_ || u.yaw_rate != 0.0;
 
   add_noise(u, way, corrected.yaw_rate * dt);
   // The heading halfway through the step, by each of the errors that turn it.
@@ -82,7 +87,7 @@ void OdometrySum::add_noise(const OdometryIncrement& u, const Eigen::Vector2d& w
   const double dt = u.duration;
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
   F.topRightCorner<2, 1>() = perpendicular(way);
-  for (Eigen::Matrix3d* noise : {&way_noise_, &turn_noise_, &gyro_noise_, &sampling_noise_}) {
+  for (Eigen::Matrix3d* noise : {&way_noise_, &turn_noise_, &gyro_noise_, &sampling_noise_, &untold_turns_}) {
     *noise = F * *noise * F.transpose();
   }
   const double across = square(kAcrossToAlong * noise_.distance) * length;
@@ -98,6 +103,7 @@ void OdometrySum::add_noise(const OdometryIncrement& u, const Eigen::Vector2d& w
   } else {
     turn_noise_(2, 2) += square(noise_.yaw) * dt + of_turn;
   }
+  if (!has_turned_) untold_turns_(2, 2) += square(kUntoldTurn) * dt;
   // What happened between two samples is not known: speed and turn changed anywhere within the interval.
   const double change = (Eigen::Vector2d(u.speed, u.lateral_speed) - last_velocity_).norm() * dt;
   const double bend = length * std::abs(turn);

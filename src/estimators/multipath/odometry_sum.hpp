@@ -28,7 +28,8 @@ struct NoiseFactors {
 /// Odometry summed up since the hypotheses were last moved, once for all of them, equation (3).
 ///
 /// Everything is in the base frame at the start of the sum and linearised at the errors given to `restart`.
-/// While the wheels stand nothing but time passes.
+/// While the wheels stand nothing but time passes. Odometry that has never told of a turn may be one that
+/// tells of none: a gyro that is not there, a driver that leaves the yaw rate at zero.
 class OdometrySum {
  public:
   explicit OdometrySum(const OdometryNoise& noise) : noise_(noise) {}
@@ -60,6 +61,9 @@ class OdometrySum {
   /// Whether a gyro has told every turn since the restart, so that no fault of the wheels can feign one.
   [[nodiscard]] bool turns_by_gyro() const { return moving_time_ > 0.0 && gyro_time_ >= moving_time_; }
 
+  /// The same where the odometry tells of no turns at all: none besides, once it has told of one.
+  [[nodiscard]] const Eigen::Matrix3d& untold_turns() const { return untold_turns_; }
+
   [[nodiscard]] double duration() const { return duration_; }          ///< [s]
   [[nodiscard]] double moving_time() const { return moving_time_; }    ///< [s]
   [[nodiscard]] double missing_time() const { return missing_time_; }  ///< without odometry [s]
@@ -77,6 +81,7 @@ class OdometrySum {
   Eigen::Matrix3d turn_noise_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d gyro_noise_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d sampling_noise_ = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d untold_turns_ = Eigen::Matrix3d::Zero();
   double duration_ = 0.0;
   double moving_time_ = 0.0;
   double missing_time_ = 0.0;
@@ -85,6 +90,7 @@ class OdometrySum {
   double rest_turn_ = 0.0;  ///< that the gyro has seen in it [rad]
   double length_ = 0.0;
   Eigen::Vector2d last_velocity_ = Eigen::Vector2d::Zero();  ///< in the base, of the last increment [m/s]
+  bool has_turned_ = false;                                  ///< an increment has told of a turn
 };
 
 }  // namespace multipath_localization::multipath

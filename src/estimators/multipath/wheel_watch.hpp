@@ -8,7 +8,8 @@ namespace multipath_localization::multipath {
 
 /// Tells when wheels may turn otherwise than the robot drives, and how fast it drives as a rule.
 ///
-/// Odometry that changes faster than a robot can makes it probable that a fault of the wheels begins.
+/// Odometry that changes faster than a robot can makes it probable that a fault of the wheels begins; the
+/// less so, the more such jumps fixes have shown to be nothing but this robot's way to brake or turn.
 class WheelWatch {
  public:
   WheelWatch(const OdometryJumpParameters& parameters, const OdometryNoise& noise)
@@ -17,8 +18,9 @@ class WheelWatch {
   /// Takes a usable increment.
   void add(const OdometryIncrement& u);
 
-  /// Looks back on the time since the last call, `duration` [s].
-  void look_back(double duration);
+  /// Looks back on the time since the last call, `duration` [s], at the end of which the wheels are held to
+  /// fail with probability `fault`.
+  void look_back(double duration, double fault);
 
   /// Probability that a fault has begun since the last call, where no fix tells it from a hard brake.
   double take_suspicion();
@@ -33,13 +35,24 @@ class WheelWatch {
   [[nodiscard]] bool standing(double duration) const { return moving_time_ < 0.5 * duration; }
 
  private:
+  /// How many jumps of each kind were none of the wheels' fault.
+  struct Innocent {
+    int speeds = 0;
+    int turns = 0;
+  };
+
+  [[nodiscard]] double chance(const OdometryJump::Jump& jump) const;
+  void acquit(double duration, double fault);
+
   OdometryJump jump_;
   double fault_probability_;
   double usual_speed_ = 0.0;
   double speed_ = 0.0;          ///< before the last look [m/s]
-  double suspected_for_ = 0.0;  ///< time that is left of it [s]
-  double moving_time_ = 0.0;    ///< since the last look [s]
-  double way_ = 0.0;            ///< since the last look [m]
+  OdometryJump::Jump suspect_;  ///< what has jumped
+  double suspected_for_ = 0.0;  ///< time that is left of that [s]
+  Innocent innocent_;
+  double moving_time_ = 0.0;  ///< since the last look [s]
+  double way_ = 0.0;          ///< since the last look [m]
 };
 
 }  // namespace multipath_localization::multipath

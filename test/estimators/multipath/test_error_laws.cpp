@@ -63,6 +63,20 @@ TEST(ShadowLaw, StandsOutOfAnOpenSky) {
   }
 }
 
+TEST(ShadowLaw, AfterAGapBeginsInFullAndMayBeHeldForMinutes) {
+  RandomStream random(6, 1, 1);
+  int held = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const ShadowLaw law = draw_reacquired_law(0.3, 40.0, random);
+    EXPECT_EQ(law.first, law.size);
+    if (law.leave_rate > 1.0 / 60.0 || law.noise > 0.0) continue;
+    ++held;
+    EXPECT_GE(law.leave_rate, 1.0 / 600.0 - 1e-12);
+    EXPECT_EQ(law.change_rate, law.leave_rate);
+  }
+  EXPECT_NEAR(held, 600, 90);
+}
+
 TEST(LogUniform, HasAsManyOfEachDecade) {
   RandomStream random(5, 1, 1);
   int low = 0;

@@ -42,6 +42,11 @@ double share(const Hypothesis& before, const Sighting& z, Property property) {
   return count / 400.0;
 }
 
+double log_stay(Hypothesis h, const Sighting& z) {
+  RandomStream random(13, 1, 1);
+  return explain(h, z, random).log_stay;
+}
+
 bool in_shadow(const Hypothesis& h, const Evidence&) { return h.in_shadow; }
 bool event(const Hypothesis&, const Evidence& evidence) { return evidence.event; }
 
@@ -73,7 +78,7 @@ TEST(Explanations, AWorseDeclaredSigmaMakesAShadowLikelier) {
 Hypothesis in_a_shadow_of(const Eigen::Vector2d& bias) {
   Hypothesis h = settled();
   h.in_shadow = true;
-  h.shadow_law = {8.0, 30.0, 0.3, 4.0, 0.08};
+  h.shadow_law = {8.0, 30.0, 0.3, 4.0, 0.08, 1 / 30.0};
   h.mean.tail<2>() = bias;
   h.covariance.bottomRightCorner<2, 2>() = 0.04 * Eigen::Matrix2d::Identity();
   return h;
@@ -83,6 +88,23 @@ TEST(Explanations, AShadowEndsWhenTheFixesComeBack) {
   const Hypothesis shaded = in_a_shadow_of({8.0, 0.0});
   EXPECT_GT(share(shaded, sighting_at({8.1, 0.2}), in_shadow), 0.9);
   EXPECT_LT(share(shaded, sighting_at({0.1, 0.1}), in_shadow), 0.2);
+}
+
+TEST(Explanations, AReceiverThatHoldsOnToItsErrorIsNotBelievedSooner) {
+  Hypothesis held = in_a_shadow_of({8.0, 0.0});
+  held.shadow_law = {8.0, 1e4, 0.0, 8.0, 1 / 300.0, 1 / 300.0};
+  const Sighting same = sighting_at({8.0, 0.0});
+  EXPECT_NEAR(log_stay(held, same), -2.0 / 300.0, 1e-3);
+  EXPECT_LT(log_stay(in_a_shadow_of({8.0, 0.0}), same), 10.0 * log_stay(held, same));
+}
+
+TEST(Explanations, OdometryMayBeWrongAfterAGapOfTheFixes) {
+  const auto displaced = [](const Hypothesis& h, const Evidence&) { return h.mean.x() > 40.0; };
+  Sighting far = sighting_at({50.0, 0.0});
+  far.duration = 60.0;
+  const double before = share(settled(), far, displaced);
+  far.after_gap = true;
+  EXPECT_GT(share(settled(), far, displaced), before + 0.02);
 }
 
 TEST(Explanations, AnotherReflectionHasNothingOfTheOneBefore) {

@@ -109,6 +109,20 @@ TEST(OdometrySum, IsLessSureOfCoarseSamplesThanOfFineOnes) {
   EXPECT_GT(spread(1.0), 100.0 * spread(0.02));
 }
 
+TEST(OdometrySum, MayHaveTurnedWhereOdometryHasNeverToldOfATurn) {
+  OdometrySum sum(kNoise);
+  sum.restart({});
+  sum.add({1.0, 1.0, 2.0, 0.0});
+  EXPECT_GT(std::sqrt(sum.untold_turns()(2, 2)), 0.3);
+  sum.restart({});
+  sum.add({1.5, 0.5, 2.0, 0.1});
+  sum.add({2.5, 1.0, 2.0, 0.0});
+  EXPECT_EQ(sum.untold_turns().norm(), 0.0);
+  sum.restart({});
+  sum.add({3.5, 1.0, 2.0, 0.0});
+  EXPECT_EQ(sum.untold_turns().norm(), 0.0) << "it has told of one before";
+}
+
 TEST(OdometrySum, MayHaveGoneAnywhereInAGap) {
   OdometrySum sum(kNoise);
   sum.add({10.0, 10.0, 2.0, 0.0});
