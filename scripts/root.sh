@@ -22,6 +22,8 @@ make_root() {
     as_root unshare --mount debootstrap --variant=minbase "$suite" "$folder.part" "$from"
     # Lost with the machine's power, and made again: there is no need to wait for the disk.
     echo force-unsafe-io | as_root tee "$folder.part/etc/dpkg/dpkg.cfg.d/unsafe" >/dev/null
+    # Nodes find each other by a name that debootstrap does not write down.
+    echo "127.0.0.1 localhost" | as_root tee "$folder.part/etc/hosts" >/dev/null
     as_root mkdir -p "$folder.part/src" "$folder.part/build"
     as_root mv "$folder.part" "$folder"
   fi
