@@ -117,10 +117,11 @@ YAML::Node plain(const YAML::Node& source) {
 }
 
 YAML::Node parse_yaml(const std::string& text) {
-  std::istringstream in(text);
+  const std::string ended = text + '\n';
+  std::istringstream in(ended);
   DepthWatch watch;
   YAML::Parser(in).HandleNextDocument(watch);
-  return YAML::Load(text);
+  return YAML::Load(ended);
 }
 
 YAML::Node parse_yaml_file(const std::string& file) {

@@ -54,6 +54,13 @@ TEST(ParseYaml, TellsOfDepthBeforeTheStackEnds) {
   EXPECT_THROW(parse_yaml_file("/no/such/file"), ParameterError);
 }
 
+TEST(ParseYaml, ComesToAnEndWhereBracesDoNot) {
+  for (const char* text : {"{a:", "fix: {default_sigma:", "{a: 1, b:", "[a:", "[{a:"}) {
+    EXPECT_THROW(parse_yaml(text), YAML::Exception) << text;
+  }
+  EXPECT_EQ(parse_yaml("a: b")["a"].as<std::string>(), "b");
+}
+
 TEST(YamlNumber, IsReadAlikeInAnyLocale) {
   const GermanLocale german;
   EXPECT_EQ(yaml_number<double>(YAML::Load("-1234.5e-1")), -123.45);
