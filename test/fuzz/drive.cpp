@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 std::string unpacked(const std::string& bytes) {
   static const TemporaryFolder folder;
   for (const auto& old : fs::directory_iterator(folder.path())) fs::remove(old);
-  for (const std::string name : {"fix.csv", "odometry.csv", "pseudoranges.csv", "truth.csv"}) {
+  for (const std::string name :
+       {"fix.csv", "odometry.csv", "pseudoranges.csv", "truth.csv", "gyro.csv", "velocity.csv"}) {
     const std::string title = "== " + name + "\n";
     const std::size_t begin = bytes.find(title);
     if (begin == std::string::npos) continue;
@@ -48,6 +49,11 @@ void check(const PseudorangeEpoch& epoch) {
   }
 }
 
+void check(const GnssVelocity& velocity) {
+  require_finite(velocity.stamp, "a velocity's stamp");
+  require(velocity.velocity.allFinite() && velocity.covariance.allFinite(), "a velocity is not finite");
+}
+
 void check(const Drive& drive) {
   require(valid(drive.datum), "the datum is no place");
   for (std::size_t i = 0; i < drive.odometry.size(); ++i) {
@@ -61,6 +67,8 @@ void check(const Drive& drive) {
     require(i == 0 || drive.measurements[i].arrival >= drive.measurements[i - 1].arrival, "out of order");
     std::visit([](const auto& measurement) { check(measurement); }, drive.measurements[i].measurement);
   }
+  for (const RecordedYawRate& recorded : drive.yaw_rates)
+    require_finite(recorded.arrival, "a yaw rate's arrival");
   for (const TruthSample& sample : drive.truth) require_finite(sample.base_in_map, "the truth");
   require_finite(drive.start(), "the start");
 }
