@@ -117,7 +117,8 @@ YAML::Node plain(const YAML::Node& source) {
 }
 
 YAML::Node parse_yaml(const std::string& text) {
-  const std::string ended = text + '\n';
+  const bool open_end = text.empty() || text.back() != '\n';
+  const std::string ended = open_end ? text + '\n' : text;
   std::istringstream in(ended);
   DepthWatch watch;
   YAML::Parser(in).HandleNextDocument(watch);

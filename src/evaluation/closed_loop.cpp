@@ -83,6 +83,17 @@ std::vector<Measurement> readable(const Simulator& simulator, std::vector<Measur
   return measurements;
 }
 
+/// Puts what was read of the motion in one step on the stream and on record.
+void take_motion(const Readings& readings, double now, Localizer& localizer, Drive& drive) {
+  for (const YawRate& yaw_rate : readings.yaw_rates) {
+    localizer.add(yaw_rate);
+    drive.yaw_rates.push_back({yaw_rate, now});
+  }
+  if (!readings.odometry) return;
+  localizer.add(*readings.odometry);
+  drive.odometry.push_back(*readings.odometry);
+}
+
 }  // namespace
 
 ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const EstimatorFactory& make,
@@ -102,15 +113,8 @@ ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const E
   for (std::int64_t step = 0; step < steps; ++step) {
     const MotionCommand command = next_command(scenario, follower, published, simulator.time());
     const Readings readings = simulator.step(command);
-    for (const YawRate& yaw_rate : readings.yaw_rates) {
-      localizer.add(yaw_rate);
-      run.drive.yaw_rates.push_back({yaw_rate, simulator.time()});
-    }
-    if (readings.odometry) {
-      localizer.add(*readings.odometry);
-      run.drive.odometry.push_back(*readings.odometry);
-      last = readings.odometry;
-    }
+    take_motion(readings, simulator.time(), localizer, run.drive);
+    if (readings.odometry) last = readings.odometry;
     for (const Measurement& measurement : readable(simulator, readings.measurements)) {
       localizer.add(measurement);
       run.drive.measurements.push_back({measurement, simulator.time()});

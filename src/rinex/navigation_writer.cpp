@@ -76,7 +76,7 @@ std::string text_of(const GlonassOrbit& orbit) {
 
 std::string ionosphere_line(const char* name, const Eigen::Vector4d& coefficients) {
   std::string text = std::string(name) + " ";
-  for (const double coefficient : coefficients) text += scientific(coefficient, 12, 4);
+  for (Eigen::Index i = 0; i < coefficients.size(); ++i) text += scientific(coefficients(i), 12, 4);
   return header_line(text, "IONOSPHERIC CORR");
 }
 

@@ -1,5 +1,6 @@
 #include "multipath_localization/simulation/sensor_faults.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "multipath_localization/core/random.hpp"
@@ -9,8 +10,17 @@ namespace multipath_localization {
 namespace {
 
 Eigen::Vector3d normal3(RandomStream& random) {
-  const double x = random.normal(), y = random.normal(), z = random.normal();
-  return {x, y, z};
+  const double x = random.normal();
+  const double y = random.normal();
+  return {x, y, random.normal()};
+}
+
+/// What a fault makes of a value that is sent all the same.
+void apply(const SensorFault& fault, RandomStream& random, SensorFaults::Spoilt& spoilt) {
+  if (fault.kind == "reversed") spoilt.value = -spoilt.value;
+  if (fault.kind == "noisy") spoilt.value += fault.size * normal3(random);
+  if (fault.kind == "late") spoilt.delay += fault.size;
+  if (fault.kind == "not_finite") spoilt.value.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
@@ -26,23 +36,18 @@ void SensorFault::fields(ParameterVisitor& field) {
 std::optional<SensorFaults::Spoilt> SensorFaults::spoil(double stamp, const Eigen::Vector3d& value) {
   RandomStream random(seed_, messages_++, stream_);
   Spoilt spoilt{value, 0.0};
-  bool freezes = false;
+  const auto holds = [&](const char* kind) {
+    return std::any_of(faults_.begin(), faults_.end(), [&](const SensorFault& fault) {
+      return fault.kind == kind && fault.holds(stamp - start_);
+    });
+  };
+  if (holds("silent")) return std::nullopt;
   for (const SensorFault& fault : faults_) {
-    if (!fault.holds(stamp - start_)) continue;
-    if (fault.kind == "silent") return std::nullopt;
-    if (fault.kind == "frozen") freezes = true;
-    if (fault.kind == "reversed") spoilt.value = -spoilt.value;
-    if (fault.kind == "noisy") spoilt.value += fault.size * normal3(random);
-    if (fault.kind == "late") spoilt.delay += fault.size;
-    if (fault.kind == "not_finite") spoilt.value.setConstant(std::numeric_limits<double>::quiet_NaN());
+    if (fault.holds(stamp - start_)) apply(fault, random, spoilt);
   }
-  if (!freezes) {
-    frozen_.reset();
-  } else if (!frozen_) {
-    frozen_ = spoilt.value;
-  } else {
-    spoilt.value = *frozen_;
-  }
+  if (!holds("frozen")) frozen_.reset();
+  if (holds("frozen") && !frozen_) frozen_ = spoilt.value;
+  if (frozen_) spoilt.value = *frozen_;
   return spoilt;
 }
 

@@ -24,17 +24,15 @@ constexpr double kLargestOutlier = 40.0;  // [m]
 // ought to have ended, and outweighs it after about two minutes.
 constexpr double kWrongPoseRate = 3e-4;  // [1/s]
 constexpr double kLostRate = 1e-4;       // of hypotheses that are wrong in a way no other covers [1/s]
-// Of odometry alone, in a way that its law does not tell: as probable, in the end, as a receiver that holds
-// on to a wrong beginning, or neither could be found out.
+// Of odometry alone, in a way its law does not tell: else a receiver held to begin wrong could never win.
 constexpr double kLostInGap = 0.05;
 constexpr double kLongGap = 30.0;                 // in which that may have happened [s]
 constexpr double kNearLost = 6.0;                 // [m]
 constexpr double kFarLost = 600.0;                // [m]
 constexpr double kLostHeadingVariance = 0.1;      // [rad^2]
 constexpr double kShiftedHeadingVariance = 0.01;  // [rad^2]
-// A worse declared sigma makes a shadow likelier, and its end less likely, up to this.
-constexpr double kMostDeclaredInfluence = 10.0;
-constexpr double kMostEntry = 0.5;  // probability of entry at one fix
+constexpr double kMostDeclaredInfluence = 10.0;   // of a worse sigma: on shadows, and against their end
+constexpr double kMostEntry = 0.5;                // probability of entry at one fix
 // Whatever a float was off by in a shadow, wrong ambiguities are off by something else.
 constexpr double kChangeAnew = 0.5;
 
@@ -230,8 +228,8 @@ void Explainer::lost() {
   lost.shadow = {0.0, 0.0};
   lost.noise = white_;
   lost.displaced = square(log_uniform(kNearLost, kFarLost, random_));
-  const double in_gap = z_.after_gap ? kLostInGap * probability(1.0 / kLongGap, z_.duration) : 0.0;
-  add(probability(kLostRate, z_.duration) + in_gap, lost);
+  const double in_gap = z_.after_gap ? kLostInGap : 0.0;
+  add(probability(kLostRate, z_.duration) + in_gap * probability(1.0 / kLongGap, z_.duration), lost);
 }
 
 double Explainer::log_likelihood(const Explanation& e) const {

@@ -35,6 +35,24 @@ void OdometrySum::restart(const OdometryErrors& errors) {
   has_turned_ = has_turned;
 }
 
+void OdometrySum::rest(const OdometryIncrement& u) {
+  last_velocity_.setZero();
+  if (!std::isfinite(u.rate_at_rest)) return;
+  rest_time_ += u.duration;
+  rest_turn_ += u.duration * u.rate_at_rest;
+}
+
+OdometryIncrement OdometrySum::corrected(OdometryIncrement u) const {
+  if (u.turn_source == TurnSource::kGyro) {
+    u.yaw_rate -= errors_.imu_bias;
+  } else {
+    u.yaw_rate = u.yaw_rate * (1.0 - errors_.turn_scale) - errors_.gyro_bias - errors_.curvature * u.speed;
+  }
+  u.speed *= 1.0 - errors_.scale;
+  u.lateral_speed *= 1.0 - errors_.scale;
+  return u;
+}
+
 void OdometrySum::add(const OdometryIncrement& u) {
   const double dt = u.duration;
   duration_ += dt;
@@ -43,23 +61,11 @@ void OdometrySum::add(const OdometryIncrement& u) {
     const double reach = (ground_speed(u) + kUnseenSpeed) * dt;
     sampling_noise_.topLeftCorner<2, 2>() += square(0.5 * reach) * Eigen::Matrix2d::Identity();
   } else if (standing(u)) {
-    last_velocity_.setZero();
-    if (std::isfinite(u.rate_at_rest)) {
-      rest_time_ += dt;
-      rest_turn_ += dt * u.rate_at_rest;
-    }
+    rest(u);
     return;
   }
   const bool by_gyro = u.turn_source == TurnSource::kGyro;
-  OdometryIncrement corrected = u;
-  corrected.speed *= 1.0 - errors_.scale;
-  corrected.lateral_speed *= 1.0 - errors_.scale;
-  if (by_gyro) {
-    corrected.yaw_rate = u.yaw_rate - errors_.imu_bias;
-  } else {
-    corrected.yaw_rate =
-        u.yaw_rate * (1.0 - errors_.turn_scale) - errors_.gyro_bias - errors_.curvature * u.speed;
-  }
+  const OdometryIncrement corrected = this->corrected(u);
   const Pose2 step = multipath_localization::displacement(corrected);
   const Eigen::Vector2d way = rotation(turn_) * step.position();
   has_turned_ = has_turned_ || u.yaw_rate != 0.0;

@@ -70,6 +70,9 @@ class OdometrySum {
   [[nodiscard]] double length() const { return length_; }              ///< of the way [m]
 
  private:
+  void rest(const OdometryIncrement& u);
+  /// Without the errors of `restart`.
+  [[nodiscard]] OdometryIncrement corrected(OdometryIncrement u) const;
   void add_noise(const OdometryIncrement& u, const Eigen::Vector2d& way, double turn);
 
   OdometryNoise noise_;
