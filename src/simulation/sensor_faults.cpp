@@ -45,9 +45,12 @@ std::optional<SensorFaults::Spoilt> SensorFaults::spoil(double stamp, const Eige
   for (const SensorFault& fault : faults_) {
     if (fault.holds(stamp - start_)) apply(fault, random, spoilt);
   }
-  if (!holds("frozen")) frozen_.reset();
-  if (holds("frozen") && !frozen_) frozen_ = spoilt.value;
-  if (frozen_) spoilt.value = *frozen_;
+  if (!holds("frozen")) {
+    frozen_.reset();
+    return spoilt;
+  }
+  if (!frozen_) frozen_ = spoilt.value;
+  spoilt.value = *frozen_;
   return spoilt;
 }
 

@@ -80,6 +80,12 @@ double draw_slow_time(RandomStream& random) {
   return std::log(log_uniform(kLeastSlowTime, kLargestSlowTime, random));
 }
 
+/// The bias is what it is for minutes, as smooth as under an open sky.
+void let_last(ShadowLaw& law, RandomStream& random) {
+  law.noise = 0.0;
+  law.leave_rate = law.change_rate = 1.0 / log_uniform(kShortestHeld, kLongestHeld, random);
+}
+
 }  // namespace
 
 double log_uniform(double low, double high, RandomStream& random) {
@@ -142,16 +148,15 @@ ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& rando
 
 void hold(ShadowLaw& law, RandomStream& random) {
   law.time = kHeldTime;
-  law.noise = 0.0;
-  law.leave_rate = law.change_rate = 1.0 / log_uniform(kShortestHeld, kLongestHeld, random);
+  let_last(law, random);
 }
 
 ShadowLaw draw_reacquired_law(double open_sigma, double largest, RandomStream& random) {
   ShadowLaw law = draw_shadow_law(open_sigma, largest, random);
   law.first = law.size;
   if (!held(random)) return law;
-  hold(law, random);
   law.time = kConstantTime;
+  let_last(law, random);
   return law;
 }
 
