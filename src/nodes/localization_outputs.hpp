@@ -13,7 +13,7 @@
 
 namespace multipath_localization {
 
-/// Publishers of localization_node, tf aside. Topics: README.
+/// Publishers of localization_node, tf aside. Topics: doc/reference/nodes.md.
 class LocalizationOutputs {
  public:
   LocalizationOutputs(ros::NodeHandle node, ros::NodeHandle private_node,
