@@ -111,7 +111,7 @@ build_tests() {
 run_tests() {
   say "Testing"
   cmake --build "$build_dir" --target run_tests -- --no-print-directory 2>&1 | tee "$build_dir/tests.log" |
-    sed -nuE 's#.*verify result ".*/(gtest|rostest)-(test_nodes_|test_)?(.*)\.xml".*#  \1 \3#p' || true
+    sed -nuE 's#.*verify result ".*/(gtest|rostest)-(test_rostest_|test_)?(.*)\.xml".*#  \1 \3#p' || true
 }
 
 # record NAME [failed]: one more test case among the results.

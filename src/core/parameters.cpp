@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "multipath_localization/core/plain_numbers.hpp"
-#include "multipath_localization/core/plain_yaml.hpp"
+#include "core/plain_yaml.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/core/plain_yaml.hpp"
+#include "core/plain_yaml.hpp"
 
 #include <yaml-cpp/eventhandler.h>
 

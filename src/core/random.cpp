@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/threefry.hpp"
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/core/threefry.hpp"
 
 namespace multipath_localization {
 

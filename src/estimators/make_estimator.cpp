@@ -2,16 +2,16 @@
 
 #include <utility>
 
+#include "estimators/dual_antenna_ekf/dual_antenna_ekf.hpp"
+#include "estimators/fallback/fallback_estimator.hpp"
+#include "estimators/gated_ekf/gated_ekf.hpp"
+#include "estimators/multipath/multipath_particle_filter.hpp"
+#include "estimators/nishida/conventional_particle_filter.hpp"
+#include "estimators/nishida/nishida_particle_filter.hpp"
+#include "estimators/pseudorange_mixture/pseudorange_mixture_filter.hpp"
+#include "estimators/pseudorange_particle/pseudorange_particle_filter.hpp"
+#include "estimators/two_stage_ekf/two_stage_ekf.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/estimators/conventional_particle_filter.hpp"
-#include "multipath_localization/estimators/dual_antenna_ekf.hpp"
-#include "multipath_localization/estimators/fallback_estimator.hpp"
-#include "multipath_localization/estimators/gated_ekf.hpp"
-#include "multipath_localization/estimators/multipath_particle_filter.hpp"
-#include "multipath_localization/estimators/nishida_particle_filter.hpp"
-#include "multipath_localization/estimators/pseudorange_mixture_filter.hpp"
-#include "multipath_localization/estimators/pseudorange_particle_filter.hpp"
-#include "multipath_localization/estimators/two_stage_ekf.hpp"
 
 namespace multipath_localization {
 

@@ -1,8 +1,8 @@
-#include "multipath_localization/evaluation/batch.hpp"
+#include "evaluation/batch.hpp"
 
+#include "evaluation/spoilt_drive.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "multipath_localization/evaluation/parallel.hpp"
-#include "multipath_localization/evaluation/spoilt_drive.hpp"
+#include "support/parallel.hpp"
 
 namespace multipath_localization {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/evaluation/closed_loop.hpp"
+#include "evaluation/closed_loop.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "multipath_localization/evaluation/doppler_odometry.hpp"
+#include "evaluation/doppler_odometry.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -6,8 +6,8 @@
 
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/twist_sample.hpp"
-#include "multipath_localization/models/doppler_velocity.hpp"
-#include "multipath_localization/models/robust_position.hpp"
+#include "multipath_localization/models/pseudorange/doppler_velocity.hpp"
+#include "multipath_localization/models/pseudorange/robust_position.hpp"
 
 namespace multipath_localization {
 

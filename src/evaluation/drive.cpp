@@ -1,14 +1,14 @@
-#include "multipath_localization/evaluation/drive.hpp"
+#include "evaluation/drive.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "evaluation/doppler_odometry.hpp"
+#include "evaluation/pseudorange_file.hpp"
 #include "multipath_localization/core/estimate.hpp"
-#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/core/twist_sample.hpp"
-#include "multipath_localization/evaluation/doppler_odometry.hpp"
-#include "multipath_localization/evaluation/pseudorange_file.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization {
 

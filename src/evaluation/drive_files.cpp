@@ -1,4 +1,4 @@
-#include "multipath_localization/evaluation/drive_files.hpp"
+#include "evaluation/drive_files.hpp"
 
 #include <algorithm>
 #include <filesystem>

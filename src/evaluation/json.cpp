@@ -1,4 +1,4 @@
-#include "multipath_localization/evaluation/json.hpp"
+#include "evaluation/json.hpp"
 
 #include <string_view>
 

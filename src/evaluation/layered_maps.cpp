@@ -1,11 +1,11 @@
-#include "multipath_localization/evaluation/layered_maps.hpp"
+#include "evaluation/layered_maps.hpp"
 
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/plain_yaml.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/core/plain_yaml.hpp"
 
 namespace multipath_localization {
 

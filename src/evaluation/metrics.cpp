@@ -1,4 +1,4 @@
-#include "multipath_localization/evaluation/metrics.hpp"
+#include "evaluation/metrics.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "multipath_localization/evaluation/oracle.hpp"
+#include "evaluation/oracle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "multipath_localization/evaluation/parameter_overrides.hpp"
+#include "evaluation/parameter_overrides.hpp"
 
 #include <algorithm>
 
+#include "core/plain_yaml.hpp"
+#include "evaluation/layered_maps.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/core/plain_yaml.hpp"
-#include "multipath_localization/evaluation/layered_maps.hpp"
 
 namespace multipath_localization {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/evaluation/progress.hpp"
+#include "evaluation/progress.hpp"
 
 #include <cstdio>
 #include <numeric>

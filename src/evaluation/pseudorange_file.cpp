@@ -1,9 +1,9 @@
-#include "multipath_localization/evaluation/pseudorange_file.hpp"
+#include "evaluation/pseudorange_file.hpp"
 
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/models/pseudorange.hpp"
+#include "multipath_localization/models/pseudorange/pseudorange.hpp"
 
 namespace multipath_localization {
 

@@ -1,9 +1,9 @@
-#include "multipath_localization/evaluation/random_drive.hpp"
+#include "evaluation/random_drive.hpp"
 
 #include <algorithm>
 
-#include "multipath_localization/simulation/random_gyro.hpp"
-#include "multipath_localization/simulation/random_velocity.hpp"
+#include "simulation/random_gyro.hpp"
+#include "simulation/random_velocity.hpp"
 
 namespace multipath_localization {
 

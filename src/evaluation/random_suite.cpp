@@ -1,11 +1,11 @@
-#include "multipath_localization/evaluation/random_suite.hpp"
+#include "evaluation/random_suite.hpp"
 
 #include <algorithm>
 
-#include "multipath_localization/core/plain_numbers.hpp"
-#include "multipath_localization/evaluation/json.hpp"
-#include "multipath_localization/evaluation/oracle.hpp"
-#include "multipath_localization/evaluation/parallel.hpp"
+#include "evaluation/json.hpp"
+#include "evaluation/oracle.hpp"
+#include "support/parallel.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

@@ -1,14 +1,14 @@
-#include "multipath_localization/evaluation/report.hpp"
+#include "evaluation/report.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
 
+#include "evaluation/json.hpp"
+#include "evaluation/text_table.hpp"
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/core/plain_numbers.hpp"
-#include "multipath_localization/evaluation/json.hpp"
-#include "multipath_localization/evaluation/text_table.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/evaluation/runner.hpp"
+#include "evaluation/runner.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "multipath_localization/evaluation/scenario.hpp"
+#include "evaluation/scenario.hpp"
 
 #include <cmath>
 #include <filesystem>
 #include <set>
 
-#include "multipath_localization/core/plain_yaml.hpp"
+#include "core/plain_yaml.hpp"
 
 namespace multipath_localization {
 

@@ -1,11 +1,11 @@
-#include "multipath_localization/evaluation/shortcomings.hpp"
+#include "evaluation/shortcomings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "multipath_localization/core/plain_numbers.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

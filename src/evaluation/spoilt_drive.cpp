@@ -1,9 +1,9 @@
-#include "multipath_localization/evaluation/spoilt_drive.hpp"
+#include "evaluation/spoilt_drive.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

@@ -1,12 +1,12 @@
-#include "multipath_localization/evaluation/standings.hpp"
+#include "evaluation/standings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "multipath_localization/evaluation/random_suite.hpp"
-#include "multipath_localization/evaluation/text_table.hpp"
+#include "evaluation/random_suite.hpp"
+#include "evaluation/text_table.hpp"
 
 namespace multipath_localization {
 

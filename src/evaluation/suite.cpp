@@ -1,9 +1,9 @@
-#include "multipath_localization/evaluation/suite.hpp"
+#include "evaluation/suite.hpp"
 
 #include <set>
 
+#include "evaluation/layered_maps.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/evaluation/layered_maps.hpp"
 
 namespace multipath_localization {
 

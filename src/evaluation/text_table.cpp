@@ -1,9 +1,9 @@
-#include "multipath_localization/evaluation/text_table.hpp"
+#include "evaluation/text_table.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/core/plain_numbers.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

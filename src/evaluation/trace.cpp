@@ -1,11 +1,11 @@
-#include "multipath_localization/evaluation/trace.hpp"
+#include "evaluation/trace.hpp"
 
 #include <cmath>
 #include <optional>
 
+#include "evaluation/json.hpp"
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/core/plain_numbers.hpp"
-#include "multipath_localization/evaluation/json.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

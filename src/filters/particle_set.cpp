@@ -1,4 +1,4 @@
-#include "multipath_localization/filters/particle_set.hpp"
+#include "filters/particle_set.hpp"
 
 #include <algorithm>
 #include <cmath>

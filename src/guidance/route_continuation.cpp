@@ -1,4 +1,4 @@
-#include "multipath_localization/guidance/route_continuation.hpp"
+#include "guidance/route_continuation.hpp"
 
 #include <algorithm>
 

@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "multipath_localization/core/atomic_file.hpp"
+#include "core/plain_yaml.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/core/plain_numbers.hpp"
-#include "multipath_localization/core/plain_yaml.hpp"
+#include "support/atomic_file.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "multipath_localization/core/plain_numbers.hpp"
-#include "multipath_localization/guidance/route_continuation.hpp"
+#include "guidance/route_continuation.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

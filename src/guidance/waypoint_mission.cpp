@@ -1,6 +1,6 @@
 #include "multipath_localization/guidance/waypoint_mission.hpp"
 
-#include "multipath_localization/guidance/route_continuation.hpp"
+#include "guidance/route_continuation.hpp"
 
 namespace multipath_localization {
 

@@ -4,11 +4,11 @@
 #include <map>
 #include <variant>
 
-#include "multipath_localization/rinex/navigation_file.hpp"
 #include "receiver/beidou_message.hpp"
 #include "receiver/galileo_message.hpp"
 #include "receiver/glonass_message.hpp"
 #include "receiver/gps_message.hpp"
+#include "rinex/navigation_file.hpp"
 
 namespace multipath_localization {
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <optional>
 
-#include "multipath_localization/rinex/broadcast_orbit.hpp"
 #include "receiver/bits.hpp"
 #include "receiver/subframe.hpp"
+#include "rinex/broadcast_orbit.hpp"
 
 namespace multipath_localization {
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <optional>
 
-#include "multipath_localization/rinex/glonass_orbit.hpp"
 #include "receiver/bits.hpp"
 #include "receiver/subframe.hpp"
+#include "rinex/glonass_orbit.hpp"
 
 namespace multipath_localization {
 

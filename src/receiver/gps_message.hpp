@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "multipath_localization/rinex/atmosphere.hpp"
-#include "multipath_localization/rinex/broadcast_orbit.hpp"
 #include "receiver/bits.hpp"
 #include "receiver/subframe.hpp"
+#include "rinex/atmosphere.hpp"
+#include "rinex/broadcast_orbit.hpp"
 
 namespace multipath_localization {
 

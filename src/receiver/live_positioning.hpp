@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "multipath_localization/rinex/point_positioning.hpp"
+#include "rinex/point_positioning.hpp"
 
 namespace multipath_localization {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "multipath_localization/rinex/gnss_time.hpp"
-#include "multipath_localization/rinex/satellite_id.hpp"
+#include "rinex/gnss_time.hpp"
+#include "rinex/satellite_id.hpp"
 
 namespace multipath_localization {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
-#include "multipath_localization/rinex/observation_file.hpp"
 #include "receiver/subframe.hpp"
+#include "rinex/observation_file.hpp"
 
 namespace multipath_localization {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/atmosphere.hpp"
+#include "rinex/atmosphere.hpp"
 
 #include <algorithm>
 #include <cmath>

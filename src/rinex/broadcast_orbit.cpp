@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/broadcast_orbit.hpp"
+#include "rinex/broadcast_orbit.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>

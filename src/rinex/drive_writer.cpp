@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/drive_writer.hpp"
+#include "rinex/drive_writer.hpp"
 
 #include <yaml-cpp/yaml.h>
 
@@ -9,9 +9,9 @@
 #include <system_error>
 
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/core/plain_numbers.hpp"
-#include "multipath_localization/models/doppler_velocity.hpp"
-#include "multipath_localization/rinex/fix_chain.hpp"
+#include "multipath_localization/models/pseudorange/doppler_velocity.hpp"
+#include "rinex/fix_chain.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

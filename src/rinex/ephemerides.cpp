@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/ephemerides.hpp"
+#include "rinex/ephemerides.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/epoch_line.hpp"
+#include "rinex/epoch_line.hpp"
 
 #include <cctype>
 

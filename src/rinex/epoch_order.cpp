@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/epoch_order.hpp"
+#include "rinex/epoch_order.hpp"
 
 #include <algorithm>
 

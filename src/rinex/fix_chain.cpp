@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/fix_chain.hpp"
+#include "rinex/fix_chain.hpp"
 
 #include <algorithm>
 #include <cmath>

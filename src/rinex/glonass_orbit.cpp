@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/glonass_orbit.hpp"
+#include "rinex/glonass_orbit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/gnss_time.hpp"
+#include "rinex/gnss_time.hpp"
 
 #include <array>
 #include <cmath>

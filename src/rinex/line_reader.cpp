@@ -1,10 +1,10 @@
-#include "multipath_localization/rinex/line_reader.hpp"
+#include "rinex/line_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "multipath_localization/core/plain_numbers.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

@@ -1,9 +1,9 @@
-#include "multipath_localization/rinex/navigation_file.hpp"
+#include "rinex/navigation_file.hpp"
 
 #include <cctype>
 
-#include "multipath_localization/rinex/line_reader.hpp"
-#include "multipath_localization/rinex/navigation_message.hpp"
+#include "rinex/line_reader.hpp"
+#include "rinex/navigation_message.hpp"
 
 namespace multipath_localization {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/navigation_message.hpp"
+#include "rinex/navigation_message.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "multipath_localization/rinex/navigation_writer.hpp"
+#include "rinex/navigation_writer.hpp"
 
 #include <initializer_list>
 #include <iomanip>
 
-#include "multipath_localization/core/plain_numbers.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/observation_codes.hpp"
+#include "rinex/observation_codes.hpp"
 
 #include <cmath>
 

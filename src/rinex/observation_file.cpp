@@ -1,10 +1,10 @@
-#include "multipath_localization/rinex/observation_file.hpp"
+#include "rinex/observation_file.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "multipath_localization/rinex/epoch_line.hpp"
-#include "multipath_localization/rinex/epoch_order.hpp"
+#include "rinex/epoch_line.hpp"
+#include "rinex/epoch_order.hpp"
 
 namespace multipath_localization {
 

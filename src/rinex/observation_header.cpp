@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/observation_header.hpp"
+#include "rinex/observation_header.hpp"
 
 namespace multipath_localization {
 

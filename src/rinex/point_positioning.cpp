@@ -1,6 +1,6 @@
-#include "multipath_localization/rinex/point_positioning.hpp"
+#include "rinex/point_positioning.hpp"
 
-#include "multipath_localization/models/robust_position.hpp"
+#include "multipath_localization/models/pseudorange/robust_position.hpp"
 
 namespace multipath_localization {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/satellite_id.hpp"
+#include "rinex/satellite_id.hpp"
 
 #include <string_view>
 

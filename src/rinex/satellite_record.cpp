@@ -1,8 +1,8 @@
-#include "multipath_localization/rinex/satellite_record.hpp"
+#include "rinex/satellite_record.hpp"
 
 #include <algorithm>
 
-#include "multipath_localization/rinex/observation_codes.hpp"
+#include "rinex/observation_codes.hpp"
 
 namespace multipath_localization {
 

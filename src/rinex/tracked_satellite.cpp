@@ -1,4 +1,4 @@
-#include "multipath_localization/rinex/tracked_satellite.hpp"
+#include "rinex/tracked_satellite.hpp"
 
 #include <algorithm>
 #include <cmath>

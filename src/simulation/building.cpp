@@ -1,6 +1,6 @@
-#include "multipath_localization/simulation/building.hpp"
+#include "simulation/building.hpp"
 
-#include "multipath_localization/simulation/polygon.hpp"
+#include "simulation/polygon.hpp"
 
 namespace multipath_localization {
 

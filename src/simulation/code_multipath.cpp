@@ -1,4 +1,4 @@
-#include "multipath_localization/simulation/code_multipath.hpp"
+#include "simulation/code_multipath.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "multipath_localization/simulation/constellations.hpp"
+#include "simulation/constellations.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

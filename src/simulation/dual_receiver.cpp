@@ -1,9 +1,9 @@
-#include "multipath_localization/simulation/dual_receiver.hpp"
+#include "simulation/dual_receiver.hpp"
 
 #include <cmath>
 
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

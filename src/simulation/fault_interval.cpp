@@ -1,4 +1,4 @@
-#include "multipath_localization/simulation/fault_interval.hpp"
+#include "simulation/fault_interval.hpp"
 
 namespace multipath_localization {
 

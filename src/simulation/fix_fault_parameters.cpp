@@ -1,5 +1,5 @@
-#include "multipath_localization/core/plain_numbers.hpp"
-#include "multipath_localization/simulation/fix_faults.hpp"
+#include "simulation/fix_faults.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

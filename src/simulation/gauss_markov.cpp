@@ -1,4 +1,4 @@
-#include "multipath_localization/simulation/gauss_markov.hpp"
+#include "simulation/gauss_markov.hpp"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include "multipath_localization/simulation/gyro.hpp"
+#include "simulation/gyro.hpp"
 
 #include <cmath>
 
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

@@ -1,10 +1,10 @@
-#include "multipath_localization/simulation/odometry_faults.hpp"
+#include "simulation/odometry_faults.hpp"
 
 #include <algorithm>
 
-#include "multipath_localization/core/plain_numbers.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

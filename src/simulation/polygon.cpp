@@ -1,4 +1,4 @@
-#include "multipath_localization/simulation/polygon.hpp"
+#include "simulation/polygon.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -2,10 +2,10 @@
 #include <optional>
 
 #include "multipath_localization/core/covariance.hpp"
-#include "multipath_localization/simulation/gauss_markov.hpp"
-#include "multipath_localization/simulation/random_ranges.hpp"
-#include "multipath_localization/simulation/random_receiver.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/gauss_markov.hpp"
+#include "simulation/random_ranges.hpp"
+#include "simulation/random_receiver.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

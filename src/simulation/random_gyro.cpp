@@ -1,9 +1,9 @@
-#include "multipath_localization/simulation/random_gyro.hpp"
+#include "simulation/random_gyro.hpp"
 
 #include <cmath>
 
-#include "multipath_localization/simulation/random_ranges.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/random_ranges.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

@@ -1,11 +1,11 @@
-#include "multipath_localization/simulation/random_odometry.hpp"
+#include "simulation/random_odometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/simulation/gauss_markov.hpp"
-#include "multipath_localization/simulation/random_ranges.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/gauss_markov.hpp"
+#include "simulation/random_ranges.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

@@ -1,9 +1,9 @@
-#include "multipath_localization/simulation/random_receiver.hpp"
+#include "simulation/random_receiver.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/simulation/random_ranges.hpp"
+#include "simulation/random_ranges.hpp"
 
 namespace multipath_localization {
 

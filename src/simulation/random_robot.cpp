@@ -1,10 +1,10 @@
-#include "multipath_localization/simulation/random_robot.hpp"
+#include "simulation/random_robot.hpp"
 
 #include <cmath>
 
-#include "multipath_localization/core/plain_numbers.hpp"
-#include "multipath_localization/simulation/random_ranges.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/random_ranges.hpp"
+#include "simulation/streams.hpp"
+#include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 

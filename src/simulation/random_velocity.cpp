@@ -1,12 +1,12 @@
-#include "multipath_localization/simulation/random_velocity.hpp"
+#include "simulation/random_velocity.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/core/numbers.hpp"
-#include "multipath_localization/simulation/gauss_markov.hpp"
-#include "multipath_localization/simulation/random_ranges.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/gauss_markov.hpp"
+#include "simulation/random_ranges.hpp"
+#include "simulation/streams.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization {
 

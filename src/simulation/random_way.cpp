@@ -1,12 +1,12 @@
-#include "multipath_localization/simulation/random_way.hpp"
+#include "simulation/random_way.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 
 #include "multipath_localization/core/measurements.hpp"
-#include "multipath_localization/simulation/random_ranges.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/random_ranges.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

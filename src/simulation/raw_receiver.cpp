@@ -1,12 +1,12 @@
-#include "multipath_localization/simulation/raw_receiver.hpp"
+#include "simulation/raw_receiver.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/code_multipath.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/code_multipath.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

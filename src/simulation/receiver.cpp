@@ -1,10 +1,10 @@
-#include "multipath_localization/simulation/receiver.hpp"
+#include "simulation/receiver.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

@@ -1,10 +1,10 @@
-#include "multipath_localization/simulation/receiver_clock.hpp"
+#include "simulation/receiver_clock.hpp"
 
 #include <cmath>
 
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

@@ -1,10 +1,10 @@
-#include "multipath_localization/simulation/receiver_schedule.hpp"
+#include "simulation/receiver_schedule.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

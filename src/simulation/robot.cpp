@@ -1,11 +1,11 @@
-#include "multipath_localization/simulation/robot.hpp"
+#include "simulation/robot.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "multipath_localization/core/measurements.hpp"
-#include "multipath_localization/models/differential_drive.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "multipath_localization/models/motion/differential_drive.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

@@ -1,9 +1,9 @@
-#include "multipath_localization/simulation/satellite_receiver.hpp"
+#include "simulation/satellite_receiver.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "multipath_localization/models/pseudorange.hpp"
+#include "multipath_localization/models/pseudorange/pseudorange.hpp"
 
 namespace multipath_localization {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/simulation/sensor_faults.hpp"
+#include "simulation/sensor_faults.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
-#include "multipath_localization/simulation/simulator.hpp"
+#include "simulation/simulator.hpp"
 
 #include <utility>
 
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

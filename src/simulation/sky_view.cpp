@@ -1,4 +1,4 @@
-#include "multipath_localization/simulation/sky_view.hpp"
+#include "simulation/sky_view.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

@@ -1,9 +1,9 @@
-#include "multipath_localization/simulation/velocity_receiver.hpp"
+#include "simulation/velocity_receiver.hpp"
 
 #include <cmath>
 
-#include "multipath_localization/core/numbers.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization {
 

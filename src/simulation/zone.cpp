@@ -1,11 +1,11 @@
-#include "multipath_localization/simulation/zone.hpp"
+#include "simulation/zone.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/streams.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 

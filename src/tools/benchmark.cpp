@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "multipath_localization/filters/block_resampling.hpp"
-#include "multipath_localization/filters/particle_cloud.hpp"
-#include "multipath_localization/models/steering_motion.hpp"
+#include "models/motion/steering_motion.hpp"
+#include "simd/block_resampling.hpp"
+#include "simd/particle_cloud.hpp"
 #include "tools/benchmark/full_step.hpp"
 #include "tools/benchmark/naive_filter.hpp"
 #include "tools/benchmark/workload.hpp"

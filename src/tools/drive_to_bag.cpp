@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <iostream>
 
-#include "multipath_localization/evaluation/drive.hpp"
-#include "nodes/bag_writer.hpp"
+#include "evaluation/drive.hpp"
+#include "ros/bags/bag_writer.hpp"
 
 int main(int argc, char** argv) {
   using namespace multipath_localization;

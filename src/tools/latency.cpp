@@ -12,7 +12,7 @@
 
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "nodes/parameter_server.hpp"
+#include "ros/parameters/parameter_server.hpp"
 #include "tools/live/node_process.hpp"
 #include "tools/live/sensor_messages.hpp"
 

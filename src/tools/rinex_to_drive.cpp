@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/rinex/drive_writer.hpp"
+#include "rinex/drive_writer.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -4,9 +4,9 @@
 #include <iostream>
 
 #include "multipath_localization/core/reason_tally.hpp"
-#include "multipath_localization/estimators/localizer.hpp"
-#include "nodes/bag_drive.hpp"
-#include "nodes/gnss_message.hpp"
+#include "multipath_localization/localization/localizer.hpp"
+#include "ros/bags/bag_drive.hpp"
+#include "ros/messages/gnss_message.hpp"
 #include "tools/tuning/tuning.hpp"
 
 namespace multipath_localization {

@@ -1,8 +1,8 @@
 #include <cstdio>
 
 #include "multipath_localization/core/geodesy.hpp"
-#include "multipath_localization/estimators/localizer.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
+#include "multipath_localization/localization/localizer.hpp"
 
 using namespace multipath_localization;
 

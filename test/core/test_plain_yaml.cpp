@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "core/plain_yaml.hpp"
 #include "german_locale.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/core/plain_yaml.hpp"
 
 namespace multipath_localization {
 namespace {

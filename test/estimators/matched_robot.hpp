@@ -5,8 +5,8 @@
 
 #include "multipath_localization/core/random.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
-#include "multipath_localization/models/odometry_motion.hpp"
-#include "multipath_localization/models/preintegrated_odometry.hpp"
+#include "multipath_localization/models/motion/odometry_motion.hpp"
+#include "multipath_localization/models/motion/preintegrated_odometry.hpp"
 
 namespace multipath_localization {
 

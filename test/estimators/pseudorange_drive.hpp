@@ -9,7 +9,7 @@
 
 #include "../models/sky.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/estimators/localizer.hpp"
+#include "multipath_localization/localization/localizer.hpp"
 
 namespace multipath_localization {
 

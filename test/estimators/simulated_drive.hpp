@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/estimators/localizer.hpp"
-#include "multipath_localization/models/odometry_motion.hpp"
-#include "multipath_localization/models/preintegrated_odometry.hpp"
+#include "multipath_localization/localization/localizer.hpp"
+#include "multipath_localization/models/motion/odometry_motion.hpp"
+#include "multipath_localization/models/motion/preintegrated_odometry.hpp"
 
 namespace multipath_localization {
 

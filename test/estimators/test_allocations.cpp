@@ -5,10 +5,10 @@
 #include <memory>
 #include <new>
 
-#include "multipath_localization/estimators/conventional_particle_filter.hpp"
-#include "multipath_localization/estimators/fix_particle_filter.hpp"
+#include "estimators/nishida/conventional_particle_filter.hpp"
+#include "estimators/nishida/fix_particle_filter.hpp"
+#include "estimators/nishida/nishida_particle_filter.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "multipath_localization/estimators/nishida_particle_filter.hpp"
 #include "pseudorange_drive.hpp"
 #include "winding_drive.hpp"
 

@@ -2,10 +2,10 @@
 
 #include <map>
 
+#include "evaluation/batch.hpp"
+#include "evaluation/report.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "multipath_localization/evaluation/batch.hpp"
-#include "multipath_localization/evaluation/report.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "dead_reckoning.hpp"
+#include "evaluation/closed_loop.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "multipath_localization/evaluation/closed_loop.hpp"
 
 namespace multipath_localization {
 namespace {

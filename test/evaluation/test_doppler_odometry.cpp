@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "../models/sky.hpp"
+#include "evaluation/doppler_odometry.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/evaluation/doppler_odometry.hpp"
 
 namespace multipath_localization {
 namespace {

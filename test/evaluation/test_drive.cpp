@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "../models/sky.hpp"
-#include "multipath_localization/evaluation/drive.hpp"
+#include "evaluation/drive.hpp"
 #include "temporary_folder.hpp"
 
 namespace multipath_localization {

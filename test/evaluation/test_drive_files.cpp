@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "multipath_localization/evaluation/drive_files.hpp"
-#include "multipath_localization/evaluation/random_drive.hpp"
+#include "evaluation/drive_files.hpp"
+#include "evaluation/random_drive.hpp"
 #include "temporary_folder.hpp"
 
 namespace multipath_localization {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "evaluation/estimator_variant.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/evaluation/estimator_variant.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
-#include "multipath_localization/evaluation/json.hpp"
+#include "evaluation/json.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "evaluation/layered_maps.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/evaluation/layered_maps.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "multipath_localization/evaluation/metrics.hpp"
+#include "evaluation/metrics.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "evaluation/oracle.hpp"
+#include "evaluation/runner.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "multipath_localization/evaluation/oracle.hpp"
-#include "multipath_localization/evaluation/runner.hpp"
 
 namespace multipath_localization {
 namespace {

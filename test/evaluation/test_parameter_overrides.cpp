@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "evaluation/parameter_overrides.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/evaluation/parameter_overrides.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "multipath_localization/evaluation/progress.hpp"
+#include "evaluation/progress.hpp"
 
 namespace multipath_localization {
 namespace {

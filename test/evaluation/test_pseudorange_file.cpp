@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "multipath_localization/evaluation/pseudorange_file.hpp"
+#include "evaluation/pseudorange_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace multipath_localization {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/evaluation/random_drive.hpp"
+#include "evaluation/random_drive.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/evaluation/random_suite.hpp"
-#include "multipath_localization/evaluation/report.hpp"
+#include "evaluation/random_suite.hpp"
+#include "evaluation/report.hpp"
 
 namespace multipath_localization {
 namespace {

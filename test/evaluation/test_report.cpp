@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "../core/german_locale.hpp"
-#include "multipath_localization/evaluation/report.hpp"
+#include "evaluation/report.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "dead_reckoning.hpp"
-#include "multipath_localization/evaluation/runner.hpp"
+#include "evaluation/runner.hpp"
 
 namespace multipath_localization {
 namespace {

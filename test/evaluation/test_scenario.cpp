@@ -3,9 +3,9 @@
 #include <cmath>
 #include <fstream>
 
+#include "evaluation/closed_loop.hpp"
+#include "evaluation/scenario.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "multipath_localization/evaluation/closed_loop.hpp"
-#include "multipath_localization/evaluation/scenario.hpp"
 
 namespace multipath_localization {
 namespace {

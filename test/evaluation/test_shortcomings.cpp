@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/evaluation/shortcomings.hpp"
+#include "evaluation/shortcomings.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/evaluation/spoilt_drive.hpp"
+#include "evaluation/spoilt_drive.hpp"
 
 namespace multipath_localization {
 namespace {

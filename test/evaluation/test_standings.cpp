@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/evaluation/standings.hpp"
+#include "evaluation/standings.hpp"
 
 namespace multipath_localization {
 namespace {

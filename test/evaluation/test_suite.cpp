@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "evaluation/suite.hpp"
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/evaluation/suite.hpp"
 #include "temporary_folder.hpp"
 
 namespace multipath_localization {

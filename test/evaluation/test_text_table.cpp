@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/evaluation/text_table.hpp"
+#include "evaluation/text_table.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/evaluation/trace.hpp"
+#include "evaluation/trace.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <numeric>
 
+#include "filters/particle_set.hpp"
 #include "multipath_localization/core/random.hpp"
 #include "multipath_localization/filters/kalman.hpp"
-#include "multipath_localization/filters/particle_set.hpp"
 #include "multipath_localization/filters/resampling.hpp"
 
 namespace multipath_localization {

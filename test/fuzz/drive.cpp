@@ -1,4 +1,4 @@
-#include "multipath_localization/evaluation/drive.hpp"
+#include "evaluation/drive.hpp"
 
 #include <filesystem>
 

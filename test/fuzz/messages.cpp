@@ -3,12 +3,12 @@
 #include <sensor_msgs/NavSatFix.h>
 
 #include "byte_stream.hpp"
-#include "multipath_localization/estimators/localizer.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "nodes/conversions.hpp"
-#include "nodes/epoch_conversions.hpp"
-#include "nodes/odometry_reader.hpp"
+#include "multipath_localization/localization/localizer.hpp"
 #include "oracle.hpp"
+#include "ros/inputs/odometry_reader.hpp"
+#include "ros/messages/conversions.hpp"
+#include "ros/messages/epoch_conversions.hpp"
 #include "targets.hpp"
 
 namespace multipath_localization::fuzz {

@@ -1,6 +1,6 @@
-#include "multipath_localization/rinex/line_reader.hpp"
-#include "multipath_localization/rinex/navigation_file.hpp"
 #include "oracle.hpp"
+#include "rinex/line_reader.hpp"
+#include "rinex/navigation_file.hpp"
 #include "targets.hpp"
 
 namespace multipath_localization::fuzz {

@@ -2,11 +2,11 @@
 
 #include <sstream>
 
+#include "evaluation/parameter_overrides.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "multipath_localization/evaluation/parameter_overrides.hpp"
-#include "nodes/localization_parameters.hpp"
-#include "nodes/steering_settings.hpp"
 #include "oracle.hpp"
+#include "ros/localization_node/localization_parameters.hpp"
+#include "ros/steering_node/steering_settings.hpp"
 #include "targets.hpp"
 
 namespace multipath_localization::fuzz {

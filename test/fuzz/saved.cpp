@@ -1,6 +1,6 @@
-#include "nodes/datum_file.hpp"
-#include "nodes/saved_pose.hpp"
 #include "oracle.hpp"
+#include "ros/localization_node/saved_pose.hpp"
+#include "ros/map/datum_file.hpp"
 #include "targets.hpp"
 
 namespace multipath_localization::fuzz {

@@ -1,8 +1,8 @@
-#include "multipath_localization/evaluation/scenario.hpp"
+#include "evaluation/scenario.hpp"
 
-#include "multipath_localization/evaluation/suite.hpp"
-#include "nodes/fault_injector.hpp"
+#include "evaluation/suite.hpp"
 #include "oracle.hpp"
+#include "ros/fault_injector_node/fault_injector.hpp"
 #include "targets.hpp"
 
 namespace multipath_localization::fuzz {

@@ -2,12 +2,12 @@
 #include <ros/console.h>
 
 #include "byte_stream.hpp"
-#include "multipath_localization/estimators/localizer.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "nodes/conversions.hpp"
-#include "nodes/datum.hpp"
-#include "nodes/map_requests.hpp"
+#include "multipath_localization/localization/localizer.hpp"
 #include "oracle.hpp"
+#include "ros/localization_node/map_requests.hpp"
+#include "ros/map/datum.hpp"
+#include "ros/messages/conversions.hpp"
 #include "targets.hpp"
 
 namespace multipath_localization::fuzz {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "multipath_localization/guidance/route_continuation.hpp"
+#include "guidance/route_continuation.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "multipath_localization/rinex/navigation_file.hpp"
-#include "multipath_localization/rinex/observation_file.hpp"
+#include "rinex/navigation_file.hpp"
+#include "rinex/observation_file.hpp"
 #include "ubx_encoder.hpp"
 
 namespace multipath_localization {

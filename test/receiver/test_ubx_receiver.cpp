@@ -2,11 +2,11 @@
 #include <vector>
 
 #include "../rinex/sky.hpp"
-#include "multipath_localization/rinex/navigation_writer.hpp"
-#include "multipath_localization/rinex/point_positioning.hpp"
 #include "orbits.hpp"
 #include "receiver/ubx_receiver.hpp"
 #include "recorded.hpp"
+#include "rinex/navigation_writer.hpp"
+#include "rinex/point_positioning.hpp"
 
 namespace multipath_localization {
 namespace {

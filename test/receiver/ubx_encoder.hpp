@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/rinex/atmosphere.hpp"
-#include "multipath_localization/rinex/ephemerides.hpp"
-#include "multipath_localization/rinex/observation_file.hpp"
+#include "rinex/atmosphere.hpp"
+#include "rinex/ephemerides.hpp"
+#include "rinex/observation_file.hpp"
 
 /// What a u-blox receiver sends, made from what it heard: the way back of src/receiver, after the interface
 /// specifications of u-blox, IS-GPS-200, the Galileo OS SIS ICD, BeiDou's B1I ICD and GLONASS's ICD 5.1.

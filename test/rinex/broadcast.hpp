@@ -5,7 +5,7 @@
 #include <string>
 
 #include "../evaluation/temporary_folder.hpp"
-#include "multipath_localization/rinex/navigation_file.hpp"
+#include "rinex/navigation_file.hpp"
 
 namespace multipath_localization {
 

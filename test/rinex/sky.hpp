@@ -6,7 +6,7 @@
 
 #include "broadcast.hpp"
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/rinex/observation_file.hpp"
+#include "rinex/observation_file.hpp"
 
 namespace multipath_localization {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/rinex/atmosphere.hpp"
+#include "rinex/atmosphere.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "broadcast.hpp"
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/rinex/broadcast_orbit.hpp"
+#include "rinex/broadcast_orbit.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,8 +2,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include "../core/german_locale.hpp"
-#include "multipath_localization/evaluation/drive.hpp"
-#include "multipath_localization/rinex/drive_writer.hpp"
+#include "evaluation/drive.hpp"
+#include "rinex/drive_writer.hpp"
 #include "sky.hpp"
 
 namespace multipath_localization {

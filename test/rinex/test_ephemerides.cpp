@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/ephemerides.hpp"
+#include "rinex/ephemerides.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/epoch_line.hpp"
+#include "rinex/epoch_line.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/rinex/epoch_order.hpp"
+#include "rinex/epoch_order.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/rinex/fix_chain.hpp"
+#include "rinex/fix_chain.hpp"
 
 namespace multipath_localization {
 namespace {

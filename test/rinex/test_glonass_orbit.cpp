@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/glonass_orbit.hpp"
+#include "rinex/glonass_orbit.hpp"
 
 namespace multipath_localization {
 namespace {

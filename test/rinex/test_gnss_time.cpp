@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/rinex/gnss_time.hpp"
+#include "rinex/gnss_time.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "../core/german_locale.hpp"
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/line_reader.hpp"
+#include "rinex/line_reader.hpp"
 
 namespace multipath_localization {
 namespace {

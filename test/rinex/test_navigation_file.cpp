@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/line_reader.hpp"
-#include "multipath_localization/rinex/navigation_file.hpp"
+#include "rinex/line_reader.hpp"
+#include "rinex/navigation_file.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/navigation_message.hpp"
+#include "rinex/navigation_message.hpp"
 
 namespace multipath_localization {
 namespace {

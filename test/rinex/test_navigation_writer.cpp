@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/navigation_writer.hpp"
+#include "rinex/navigation_writer.hpp"
 #include "sky.hpp"
 
 namespace multipath_localization {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "multipath_localization/rinex/observation_codes.hpp"
+#include "rinex/observation_codes.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/line_reader.hpp"
-#include "multipath_localization/rinex/observation_file.hpp"
+#include "rinex/line_reader.hpp"
+#include "rinex/observation_file.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/observation_header.hpp"
+#include "rinex/observation_header.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "multipath_localization/rinex/point_positioning.hpp"
+#include "rinex/point_positioning.hpp"
 #include "sky.hpp"
 
 namespace multipath_localization {

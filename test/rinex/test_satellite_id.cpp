@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/rinex/satellite_id.hpp"
+#include "rinex/satellite_id.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "broadcast.hpp"
-#include "multipath_localization/rinex/satellite_record.hpp"
+#include "rinex/satellite_record.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/rinex/tracked_satellite.hpp"
+#include "rinex/tracked_satellite.hpp"
 #include "sky.hpp"
 
 namespace multipath_localization {

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "multipath_localization/simulation/raw_receiver.hpp"
+#include "simulation/raw_receiver.hpp"
 
 namespace multipath_localization {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/simulation/building.hpp"
+#include "simulation/building.hpp"
 
 namespace multipath_localization {
 namespace {

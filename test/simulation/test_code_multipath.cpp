@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/simulation/code_multipath.hpp"
+#include "simulation/code_multipath.hpp"
 
 namespace multipath_localization {
 namespace {

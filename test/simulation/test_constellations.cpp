@@ -5,7 +5,7 @@
 #include <map>
 
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/simulation/constellations.hpp"
+#include "simulation/constellations.hpp"
 
 namespace multipath_localization {
 namespace {

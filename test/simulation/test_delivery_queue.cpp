@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/simulation/delivery_queue.hpp"
+#include "simulation/delivery_queue.hpp"
 
 namespace multipath_localization {
 namespace {

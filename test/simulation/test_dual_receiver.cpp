@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "multipath_localization/simulation/dual_receiver.hpp"
+#include "simulation/dual_receiver.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "../core/german_locale.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/simulation/fault_interval.hpp"
-#include "multipath_localization/simulation/fix_faults.hpp"
+#include "simulation/fault_interval.hpp"
+#include "simulation/fix_faults.hpp"
 
 namespace multipath_localization {
 namespace {

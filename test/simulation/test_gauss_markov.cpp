@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "multipath_localization/simulation/gauss_markov.hpp"
+#include "simulation/gauss_markov.hpp"
 
 namespace multipath_localization {
 namespace {

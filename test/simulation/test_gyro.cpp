@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "multipath_localization/simulation/gyro.hpp"
+#include "simulation/gyro.hpp"
 
 namespace multipath_localization {
 namespace {

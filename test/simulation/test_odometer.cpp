@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "multipath_localization/simulation/odometer.hpp"
+#include "simulation/odometer.hpp"
 
 namespace multipath_localization {
 namespace {

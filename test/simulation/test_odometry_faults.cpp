@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "../core/german_locale.hpp"
-#include "multipath_localization/simulation/odometry_faults.hpp"
+#include "simulation/odometry_faults.hpp"
 
 namespace multipath_localization {
 namespace {

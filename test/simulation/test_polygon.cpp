@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "multipath_localization/core/parameters.hpp"
-#include "multipath_localization/simulation/polygon.hpp"
+#include "simulation/polygon.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "multipath_localization/simulation/random_gyro.hpp"
+#include "simulation/random_gyro.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "multipath_localization/simulation/random_odometry.hpp"
+#include "simulation/random_odometry.hpp"
 
 namespace multipath_localization {
 namespace {

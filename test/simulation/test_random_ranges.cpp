@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "multipath_localization/simulation/random_ranges.hpp"
+#include "simulation/random_ranges.hpp"
 
 namespace multipath_localization {
 namespace {

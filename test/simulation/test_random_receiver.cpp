@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "multipath_localization/simulation/random_receiver.hpp"
+#include "simulation/random_receiver.hpp"
 
 namespace multipath_localization {
 namespace {

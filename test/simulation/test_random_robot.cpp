@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "multipath_localization/simulation/random_ranges.hpp"
-#include "multipath_localization/simulation/random_robot.hpp"
+#include "simulation/random_ranges.hpp"
+#include "simulation/random_robot.hpp"
 
 namespace multipath_localization {
 namespace {

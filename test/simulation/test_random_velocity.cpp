@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "multipath_localization/core/numbers.hpp"
-#include "multipath_localization/simulation/random_velocity.hpp"
+#include "simulation/random_velocity.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "multipath_localization/core/measurements.hpp"
-#include "multipath_localization/simulation/random_ranges.hpp"
-#include "multipath_localization/simulation/random_way.hpp"
+#include "simulation/random_ranges.hpp"
+#include "simulation/random_way.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "exact_receiver.hpp"
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/models/pseudorange.hpp"
-#include "multipath_localization/simulation/raw_receiver.hpp"
+#include "multipath_localization/models/pseudorange/pseudorange.hpp"
+#include "simulation/raw_receiver.hpp"
 
 namespace multipath_localization {
 namespace {

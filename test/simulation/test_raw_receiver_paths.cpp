@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exact_receiver.hpp"
-#include "multipath_localization/simulation/raw_receiver.hpp"
+#include "simulation/raw_receiver.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "multipath_localization/simulation/receiver.hpp"
+#include "simulation/receiver.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/geodesy.hpp"
-#include "multipath_localization/simulation/receiver_clock.hpp"
+#include "simulation/receiver_clock.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "multipath_localization/simulation/receiver_schedule.hpp"
+#include "simulation/receiver_schedule.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "multipath_localization/core/measurements.hpp"
-#include "multipath_localization/simulation/robot.hpp"
+#include "simulation/robot.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <Eigen/Cholesky>
 
-#include "multipath_localization/models/pseudorange.hpp"
-#include "multipath_localization/simulation/satellite_receiver.hpp"
+#include "multipath_localization/models/pseudorange/pseudorange.hpp"
+#include "simulation/satellite_receiver.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "multipath_localization/simulation/sensor_faults.hpp"
+#include "simulation/sensor_faults.hpp"
 
 namespace multipath_localization {
 namespace {

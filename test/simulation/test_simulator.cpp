@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
-#include "multipath_localization/simulation/faults.hpp"
-#include "multipath_localization/simulation/simulator.hpp"
+#include "simulation/faults.hpp"
+#include "simulation/simulator.hpp"
 
 namespace multipath_localization {
 namespace {

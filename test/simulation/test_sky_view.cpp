@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/simulation/sky_view.hpp"
+#include "simulation/sky_view.hpp"
 
 namespace multipath_localization {
 namespace {

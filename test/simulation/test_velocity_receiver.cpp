@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "multipath_localization/simulation/velocity_receiver.hpp"
+#include "simulation/velocity_receiver.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/simulation/zone.hpp"
+#include "simulation/zone.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "nodes/conversions.hpp"
+#include "ros/messages/conversions.hpp"
 #include "tools/doctor/observations.hpp"
 
 namespace multipath_localization {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "evaluation/drive.hpp"
 #include "multipath_localization/core/random.hpp"
-#include "multipath_localization/evaluation/drive.hpp"
-#include "multipath_localization/simulation/gauss_markov.hpp"
+#include "simulation/gauss_markov.hpp"
 #include "tools/tuning/fix_sequence.hpp"
 
 namespace multipath_localization {

@@ -3,7 +3,7 @@
 
 #include "found.hpp"
 #include "healthy_robot.hpp"
-#include "nodes/imu_conversions.hpp"
+#include "ros/messages/imu_conversions.hpp"
 #include "tools/doctor/checks.hpp"
 
 namespace multipath_localization {

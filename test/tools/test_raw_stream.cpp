@@ -14,7 +14,7 @@ namespace {
 /// 30 s of a receiver that stands under open sky.
 std::string standing() {
   std::stringstream bytes;
-  bytes << std::ifstream(CONFIG_DIR "/../test/nodes/standing.ubx", std::ios::binary).rdbuf();
+  bytes << std::ifstream(CONFIG_DIR "/../test/rostest/standing.ubx", std::ios::binary).rdbuf();
   return bytes.str();
 }
 

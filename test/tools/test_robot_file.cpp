@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "nodes/localization_parameters.hpp"
+#include "ros/localization_node/localization_parameters.hpp"
 
 namespace multipath_localization {
 namespace {

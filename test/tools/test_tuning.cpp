@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <variant>
 
+#include "evaluation/closed_loop.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
-#include "multipath_localization/evaluation/closed_loop.hpp"
-#include "nodes/localization_parameters.hpp"
 #include "noisy_drive.hpp"
+#include "ros/localization_node/localization_parameters.hpp"
 #include "tools/tuning/tuning.hpp"
 
 namespace multipath_localization {

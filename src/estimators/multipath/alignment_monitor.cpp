@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "multipath_localization/core/numbers.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 

@@ -9,7 +9,7 @@
 
 #include "estimators/multipath/wheel_fault.hpp"
 #include "multipath_localization/core/covariance.hpp"
-#include "multipath_localization/core/numbers.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 

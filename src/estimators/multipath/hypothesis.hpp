@@ -5,7 +5,7 @@
 #include "estimators/multipath/error_laws.hpp"
 #include "estimators/multipath/odometry_sum.hpp"
 #include "multipath_localization/core/measurements.hpp"
-#include "multipath_localization/models/preintegrated_odometry.hpp"
+#include "multipath_localization/models/motion/preintegrated_odometry.hpp"
 
 namespace multipath_localization::multipath {
 

@@ -6,8 +6,8 @@
 
 #include "estimators/multipath/wheel_fault.hpp"
 #include "multipath_localization/core/covariance.hpp"
-#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/filters/resampling.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 

@@ -3,7 +3,7 @@
 
 #include "estimators/multipath/hypothesis_cloud.hpp"
 #include "multipath_localization/core/covariance.hpp"
-#include "multipath_localization/core/numbers.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 

@@ -1,4 +1,4 @@
-#include "multipath_localization/estimators/multipath_particle_filter.hpp"
+#include "estimators/multipath/multipath_particle_filter.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include "estimators/multipath/rival.hpp"
 #include "estimators/multipath/wheel_watch.hpp"
 #include "multipath_localization/core/covariance.hpp"
-#include "multipath_localization/core/numbers.hpp"
-#include "multipath_localization/estimators/fix_check.hpp"
+#include "multipath_localization/core/fix_check.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "multipath_localization/core/numbers.hpp"
-#include "multipath_localization/models/odometry_motion.hpp"
+#include "multipath_localization/models/motion/odometry_motion.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 

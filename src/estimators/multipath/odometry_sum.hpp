@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "multipath_localization/core/measurements.hpp"
-#include "multipath_localization/models/preintegrated_odometry.hpp"
+#include "multipath_localization/models/motion/preintegrated_odometry.hpp"
 
 namespace multipath_localization::multipath {
 

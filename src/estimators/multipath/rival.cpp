@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/core/numbers.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "multipath_localization/core/numbers.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 

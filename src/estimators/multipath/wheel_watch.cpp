@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/models/odometry_motion.hpp"
+#include "multipath_localization/models/motion/odometry_motion.hpp"
 
 namespace multipath_localization::multipath {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "multipath_localization/estimators/odometry_jump.hpp"
+#include "estimators/multipath/odometry_jump.hpp"
 
 namespace multipath_localization::multipath {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "estimators/nishida/nishida_particle_filter.hpp"
 #include "multipath_localization/core/measurements.hpp"
-#include "multipath_localization/estimators/nishida_particle_filter.hpp"
 
 namespace multipath_localization::workload {
 

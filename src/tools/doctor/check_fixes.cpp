@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/estimators/localizer.hpp"
-#include "multipath_localization/evaluation/metrics.hpp"
-#include "nodes/conversions.hpp"
+#include "evaluation/metrics.hpp"
+#include "multipath_localization/localization/localizer.hpp"
+#include "ros/messages/conversions.hpp"
 #include "tools/doctor/checks.hpp"
 #include "tools/doctor/counted.hpp"
 #include "tools/doctor/shape_fit.hpp"

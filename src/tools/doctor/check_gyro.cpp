@@ -1,10 +1,10 @@
 #include <cmath>
 #include <map>
 
-#include "multipath_localization/models/gyro_turn.hpp"
-#include "multipath_localization/models/standstill.hpp"
-#include "nodes/antenna_frames.hpp"
-#include "nodes/imu_conversions.hpp"
+#include "multipath_localization/localization/gyro_turn.hpp"
+#include "multipath_localization/localization/standstill.hpp"
+#include "ros/inputs/antenna_frames.hpp"
+#include "ros/messages/imu_conversions.hpp"
 #include "tools/doctor/checks.hpp"
 
 namespace multipath_localization {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/evaluation/metrics.hpp"
-#include "nodes/conversions.hpp"
+#include "evaluation/metrics.hpp"
+#include "ros/messages/conversions.hpp"
 #include "tools/doctor/checks.hpp"
 
 namespace multipath_localization {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
-#include "nodes/datum.hpp"
+#include "ros/map/datum.hpp"
 #include "tools/doctor/checks.hpp"
 #include "tools/doctor/misreading.hpp"
 #include "tools/doctor/shape_fit.hpp"

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "multipath_localization/evaluation/metrics.hpp"
-#include "nodes/conversions.hpp"
-#include "nodes/datum.hpp"
+#include "evaluation/metrics.hpp"
+#include "ros/map/datum.hpp"
+#include "ros/messages/conversions.hpp"
 #include "tools/doctor/checks.hpp"
 #include "tools/doctor/counted.hpp"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <set>
 
-#include "nodes/antenna_frames.hpp"
-#include "nodes/conversions.hpp"
+#include "ros/inputs/antenna_frames.hpp"
+#include "ros/messages/conversions.hpp"
 #include "tools/doctor/checks.hpp"
 
 namespace multipath_localization {

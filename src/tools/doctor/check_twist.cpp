@@ -2,8 +2,8 @@
 #include <cmath>
 #include <complex>
 
+#include "evaluation/metrics.hpp"
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/evaluation/metrics.hpp"
 #include "tools/doctor/checks.hpp"
 #include "tools/doctor/shape_fit.hpp"
 #include "tools/doctor/twist_comparison.hpp"

@@ -1,8 +1,8 @@
 #include <cmath>
 
+#include "evaluation/metrics.hpp"
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/evaluation/metrics.hpp"
-#include "nodes/velocity_conversions.hpp"
+#include "ros/messages/velocity_conversions.hpp"
 #include "tools/doctor/checks.hpp"
 
 namespace multipath_localization {

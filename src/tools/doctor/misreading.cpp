@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
-#include "nodes/conversions.hpp"
+#include "ros/messages/conversions.hpp"
 #include "tools/doctor/shape_fit.hpp"
 
 namespace multipath_localization {

@@ -4,9 +4,9 @@
 #include <array>
 #include <string_view>
 
-#include "nodes/conversions.hpp"
-#include "nodes/datum_search.hpp"
-#include "nodes/odometry_reader.hpp"
+#include "ros/inputs/odometry_reader.hpp"
+#include "ros/map/datum_search.hpp"
+#include "ros/messages/conversions.hpp"
 
 namespace multipath_localization {
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "multipath_localization/evaluation/odometry_track.hpp"
-#include "nodes/localization_parameters.hpp"
+#include "ros/localization_node/localization_parameters.hpp"
+#include "tools/doctor/odometry_track.hpp"
 
 namespace multipath_localization {
 

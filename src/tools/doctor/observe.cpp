@@ -6,11 +6,11 @@
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "nodes/bag_file.hpp"
-#include "nodes/conversions.hpp"
-#include "nodes/datum_file.hpp"
-#include "nodes/gnss_inputs.hpp"
-#include "nodes/parameter_server.hpp"
+#include "ros/bags/bag_file.hpp"
+#include "ros/localization_node/gnss_inputs.hpp"
+#include "ros/map/datum_file.hpp"
+#include "ros/messages/conversions.hpp"
+#include "ros/parameters/parameter_server.hpp"
 
 namespace multipath_localization {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "multipath_localization/core/angle.hpp"
-#include "nodes/byte_source.hpp"
+#include "receiver/byte_source.hpp"
 
 namespace multipath_localization {
 

@@ -5,7 +5,7 @@
 #include <complex>
 #include <optional>
 
-#include "multipath_localization/evaluation/metrics.hpp"
+#include "evaluation/metrics.hpp"
 
 namespace multipath_localization {
 

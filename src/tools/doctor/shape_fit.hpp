@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "multipath_localization/evaluation/odometry_track.hpp"
+#include "tools/doctor/odometry_track.hpp"
 
 namespace multipath_localization {
 

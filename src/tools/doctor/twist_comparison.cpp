@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/angle.hpp"
-#include "nodes/conversions.hpp"
+#include "ros/messages/conversions.hpp"
 
 namespace multipath_localization {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/batch.hpp"
+#include "evaluation/random_drive.hpp"
 #include "multipath_localization/core/geodesy.hpp"
-#include "multipath_localization/evaluation/batch.hpp"
-#include "multipath_localization/evaluation/random_drive.hpp"
-#include "nodes/bag_topics.hpp"
+#include "ros/bags/bag_topics.hpp"
 
 namespace multipath_localization {
 

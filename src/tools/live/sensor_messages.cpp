@@ -1,6 +1,6 @@
 #include "tools/live/sensor_messages.hpp"
 
-#include "nodes/conversions.hpp"
+#include "ros/messages/conversions.hpp"
 
 namespace multipath_localization {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "multipath_localization/simulation/faults.hpp"
+#include "simulation/faults.hpp"
 
 namespace multipath_localization {
 

@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
-#include "multipath_localization/core/numbers.hpp"
-#include "multipath_localization/models/odometry_motion.hpp"
-#include "multipath_localization/models/standstill.hpp"
+#include "multipath_localization/localization/standstill.hpp"
+#include "multipath_localization/models/motion/odometry_motion.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization {
 

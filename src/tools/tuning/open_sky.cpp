@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "multipath_localization/estimators/localizer.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
+#include "multipath_localization/localization/localizer.hpp"
 
 namespace multipath_localization {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "multipath_localization/evaluation/drive.hpp"
+#include "evaluation/drive.hpp"
 
 namespace multipath_localization {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "multipath_localization/estimators/localizer.hpp"
-#include "multipath_localization/estimators/multipath_particle_filter.hpp"
+#include "estimators/multipath/multipath_particle_filter.hpp"
+#include "multipath_localization/localization/localizer.hpp"
 #include "tools/doctor/finding.hpp"
 #include "tools/doctor/shape_fit.hpp"
 #include "tools/tuning/open_sky.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "multipath_localization/evaluation/drive.hpp"
+#include "evaluation/drive.hpp"
 #include "tools/tuning/noise_fit.hpp"
 
 namespace multipath_localization {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "estimators/multipath/error_laws.hpp"
-#include "multipath_localization/core/numbers.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 namespace {

@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 
 #include "estimators/multipath/hypothesis.hpp"
-#include "multipath_localization/core/numbers.hpp"
 #include "multipath_localization/core/random.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "estimators/multipath/odometry_sum.hpp"
-#include "multipath_localization/core/numbers.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 namespace {

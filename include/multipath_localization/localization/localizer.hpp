@@ -1,0 +1,133 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/core/trust.hpp"
+#include "multipath_localization/estimators/estimator.hpp"
+#include "multipath_localization/localization/gyro_turn.hpp"
+#include "multipath_localization/localization/mirror_check.hpp"
+#include "multipath_localization/localization/odometry_history.hpp"
+#include "multipath_localization/localization/receiver_covariance.hpp"
+#include "multipath_localization/localization/standstill.hpp"
+
+namespace multipath_localization {
+
+struct LocalizerParameters {
+  double history_length = 5.0;
+  double future_tolerance = 0.5;
+  double dead_reckoning_after = 3.0;
+  double lost_sigma = 10.0;
+  double frozen_distance = 2.0;
+  ReceiverCovarianceParameters fix_covariance;
+
+  void fields(ParameterVisitor& field);
+  /// Those of them that may change at any time.
+  void tunable(ParameterVisitor& field);
+};
+
+/// What became of one measurement.
+struct MeasurementReport {
+  double stamp = 0.0;
+  Measurement measurement;
+  Innovation innovation;
+  std::optional<double> observed_sigma;  ///< how far fixes lie from the pose by now, an axis [m]
+  std::optional<double> used_sigma;      ///< how far the estimator reckoned with, bias included [m]
+};
+
+/// A receiver that says the same to the bit while the robot drives on.
+struct FrozenReceiver {
+  double duration = 0.0;  ///< since it said so first [s]
+  double driven = 0.0;    ///< since then [m]
+};
+
+/// Puts an estimator on a stream: measurements count at their own stamps, whatever the order of arrival.
+///
+/// A measurement ahead of the odometry waits until the odometry has passed it, and the increment is split at
+/// its stamp. A late one is weighed now, with its lever arm carried back over the odometry history. A fix
+/// that the estimator refuses for repeating the one before is `frozen` once the robot has driven
+/// `frozen_distance` since, and `repeated` before that: a receiver may do so whose robot stands.
+class Localizer {
+ public:
+  Localizer(std::unique_ptr<Estimator> estimator, const LocalizerParameters& parameters);
+
+  /// Forgets the past and starts the estimator afresh.
+  void start(const std::optional<PosePrior>& prior);
+
+  /// Takes an increment (finite, duration > 0, stamps increasing; the caller checks) and whatever
+  /// measurements it was waited for.
+  void add(const OdometryIncrement& reported);
+
+  /// Takes a yaw rate: turns are its from then on, see GyroTurn.
+  void add(const YawRate& yaw_rate) { gyro_.add(yaw_rate); }
+
+  /// Takes a measurement.
+  void add(const Measurement& measurement);
+
+  /// What became of the measurements since the last call, in order of their use.
+  std::vector<MeasurementReport> take_reports();
+
+  /// Shows its own parameters, or those of the estimator, to a visitor that may change them; what is known
+  /// stays.
+  void tune(ParameterVisitor& field);
+  void tune_estimator(ParameterVisitor& field) { estimator_->tune(field); }
+
+  [[nodiscard]] PoseEstimate estimate() const { return estimator_->estimate(); }
+  [[nodiscard]] std::vector<Hypothesis> hypotheses() const { return estimator_->hypotheses(); }
+  /// What the last fix told of a frozen receiver, nothing where it is none.
+  [[nodiscard]] const std::optional<FrozenReceiver>& frozen() const { return frozen_; }
+  /// What becomes of the yaw rates.
+  [[nodiscard]] const GyroTurn& gyro() const { return gyro_; }
+  /// Whether odometry turns the other way round than the fixes: its pose counts as not confirmed then.
+  [[nodiscard]] bool mirrored() const { return mirror_check_.mirrored(); }
+  [[nodiscard]] Trust state() const;
+  /// One sentence that says why the state is what it is.
+  [[nodiscard]] std::string state_reason() const;
+
+ private:
+  void apply(const Measurement& measurement);
+  /// Hands a fix to the estimator with the covariance it is to have; what was observed goes into the report.
+  Innovation weigh(GnssFix& fix, MeasurementReport& report);
+  /// Takes note of where a fix lies, and tells why a repeated one is refused.
+  void tell_frozen(const GnssFix& fix, Reason& reason);
+  /// When a measurement of the position was accepted last, the start of odometry before the first [s].
+  [[nodiscard]] double last_accepted() const;
+  [[nodiscard]] std::size_t latest_kind() const;
+  /// What was accepted last: "fixes", "pairs of fixes", "pseudoranges".
+  [[nodiscard]] std::string basis() const;
+  /// ", no pseudoranges for 12 s": what says more than that, was accepted before and is missed; empty for
+  /// nothing.
+  [[nodiscard]] std::string missed() const;
+
+  std::unique_ptr<Estimator> estimator_;
+  LocalizerParameters parameters_;
+  OdometryHistory history_;
+  ReceiverCovariance fix_covariance_;
+  MirrorCheck mirror_check_;
+  Standstill standstill_;
+  GyroTurn gyro_;
+  std::deque<Measurement> waiting_;  ///< ahead of the odometry, by stamp
+  std::vector<MeasurementReport> reports_;
+  double now_ = 0.0;
+  double driven_ = 0.0;  ///< way since the start [m]
+  /// A place fixes have told, and when and after which way they did so first.
+  struct Told {
+    Eigen::Vector2d position;
+    double stamp;
+    double driven;
+  };
+  std::optional<Told> told_;  ///< last
+  std::optional<FrozenReceiver> frozen_;
+  bool has_odometry_ = false;
+  double start_ = 0.0;                                                            ///< of odometry
+  std::array<std::optional<double>, std::variant_size_v<Measurement>> accepted_;  ///< last stamp, by kind
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,265 @@
+#include "estimators/pseudorange_mixture/pseudorange_mixture_filter.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "estimators/pseudorange_mixture/hypothesis_bank.hpp"
+#include "multipath_localization/core/epoch_check.hpp"
+#include "multipath_localization/core/fix_check.hpp"
+#include "multipath_localization/filters/resampling.hpp"
+#include "multipath_localization/models/motion/odometry_motion.hpp"
+#include "support/numbers.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kLongestFlush = 1.0;     // [s]
+constexpr double kFirstDuration = 0.2;    // data that the first epoch counts for [s]
+constexpr double kLeastDuration = 1e-3;   // [s]
+constexpr double kFullSpeed = 1.0;        // from here on errors change at their full pace [m/s]
+constexpr double kAtRest = 0.1;           // of that pace
+constexpr double kSettledYawSigma = 0.3;  // [rad]
+constexpr double kUnsettle = 0.8;         // mass of the cluster that ends an alignment
+constexpr std::size_t kCloud = 200;
+constexpr double kAgreementTime = 4.0;  // single epochs do not make a doubt [s]
+
+/// GPS's clock is the reference.
+bool has_offset(Constellation constellation) { return constellation != Constellation::kGps; }
+
+/// Offsets first: without its constellation's a satellite is of no use.
+std::vector<SlotOwner> owners_of(const std::vector<SatelliteObservation>& observations) {
+  std::vector<SlotOwner> owners;
+  for (const SatelliteObservation& observation : observations) {
+    if (has_offset(observation.constellation)) owners.push_back({observation.constellation, std::nullopt});
+  }
+  for (const SatelliteObservation& observation : observations) {
+    owners.push_back({observation.constellation, observation.satellite});
+  }
+  return owners;
+}
+
+/// Increments made of the range rates tell an epoch no motion beside them.
+void set_motion(SlottedEpoch& epoch, const OdometryIncrement& last) {
+  epoch.wheels = !last.from_range_rates;
+  if (!epoch.wheels) return;
+  epoch.speed = last.speed;
+  epoch.lateral_speed = last.lateral_speed;
+  epoch.yaw_rate = last.yaw_rate;
+}
+
+}  // namespace
+
+PseudorangeMixtureFilter::PseudorangeMixtureFilter(const PseudorangeMixtureFilterParameters& parameters,
+                                                   std::uint64_t seed)
+    : parameters_(parameters), seed_(seed), odometry_(parameters.odometry) {}
+
+void PseudorangeMixtureFilter::start(const std::optional<PosePrior>& prior) {
+  bank_.clear();
+  slots_ = SatelliteSlots();
+  signal_ = SignalScale();
+  cluster_ = place_ = DominantCluster();
+  odometry_.restart(0.0, 0.0);
+  last_ = OdometryIncrement();
+  step_ = 0;
+  last_epoch_ = last_seeding_ = moved_ = settled_over_ = 0.0;
+  agreement_ = 1.0;
+  has_clock_ = aligned_ = false;
+  if (!prior || !usable(*prior)) return;
+  last_.stamp = last_epoch_ = last_seeding_ = prior->stamp;
+  PseudorangeBelief belief = unknown_belief();
+  belief.mean.head<3>() << prior->pose.x, prior->pose.y, wrap_angle(prior->pose.yaw);
+  belief.covariance.topLeftCorner<3, 3>() = prior->covariance;
+  bank_.emplace_back(belief, laws());
+  aligned_ = prior->covariance(kYaw, kYaw) < square(kSettledYawSigma);
+  refresh();
+}
+
+void PseudorangeMixtureFilter::predict(const OdometryIncrement& u) {
+  if (!usable(u)) return;
+  last_ = u;
+  if (bank_.empty()) return;
+  odometry_.add(u.from_range_rates ? OdometryIncrement{u.stamp, u.duration, 0.0, 0.0} : u);
+  if (!standing(u)) moved_ += ground_speed(u) * u.duration;
+  if (odometry_.duration() > kLongestFlush) {
+    flush_odometry();
+    refresh();
+  }
+}
+
+void PseudorangeMixtureFilter::flush_odometry() {
+  for (PseudorangeHypothesis& hypothesis : bank_) {
+    hypothesis.propagate(odometry_, laws(), parameters_.odometry, parameters_.receiver, slots_);
+  }
+}
+
+void PseudorangeMixtureFilter::refresh() {
+  const std::vector<WeightedBelief> particles = planar(bank_);
+  cluster_ = dominant_cluster(particles);
+  place_ = aligned_ ? cluster_ : dominant_cluster(particles, kPi);
+  odometry_.restart(cluster_.belief.mean(kScale), cluster_.belief.mean(kGyroBias));
+}
+
+Innovation PseudorangeMixtureFilter::update(const Measurement& z) {
+  const auto* epoch = std::get_if<PseudorangeEpoch>(&z);
+  if (epoch == nullptr) return refused(Reason::kUnused);
+  if (const auto reason = defect(*epoch)) return refused(*reason);
+  return weigh(*epoch);
+}
+
+Innovation PseudorangeMixtureFilter::weigh(const PseudorangeEpoch& epoch) {
+  flush_odometry();
+  const SlottedEpoch slotted_epoch = slotted(epoch);
+  const bool seen = !slotted_epoch.satellites.empty();
+  if (!seen || (!has_clock_ && !seed(slotted_epoch, parameters_.hypotheses, 1.0))) {
+    if (!bank_.empty()) refresh();
+    return refused(Reason::kTooFewSatellites);
+  }
+  if (rivals_due()) add_rivals(slotted_epoch);
+  for (PseudorangeHypothesis& hypothesis : bank_) {
+    hypothesis.update(slotted_epoch, laws(), parameters_.errors);
+  }
+  thin_out(bank_, parameters_.least_weight * rival_probability());
+  refresh();
+  update_agreement(slotted_epoch);
+  update_alignment();
+  follow(slots_.retire(last_.stamp - parameters_.slot_time));
+  last_epoch_ = last_.stamp;
+  moved_ = 0.0;
+  ++step_;
+  Innovation result;
+  result.reason = Reason::kAccepted;
+  return result;
+}
+
+SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
+  SlottedEpoch result;
+  result.antenna_in_base = epoch.antenna_in_base;
+  result.age = std::max(0.0, last_.stamp - epoch.stamp);
+  result.duration = has_clock_ ? std::max(kLeastDuration, last_.stamp - last_epoch_) : kFirstDuration;
+  const double change = pace(result.duration) / kFullSpeed;
+  result.information = result.duration * (has_clock_ && !in_doubt() ? std::clamp(change, kAtRest, 1.0) : 1.0);
+  result.bias_variance = square(parameters_.receiver.bias_sigma);
+  set_motion(result, last_);
+  std::vector<SatelliteObservation> observations = usable_observations(epoch);
+  signal_.add(observations, result.duration);
+  for (SatelliteObservation& observation : observations) observation.cn0 -= signal_.strong();
+  result.has_rates = std::any_of(observations.begin(), observations.end(),
+                                 [](const auto& observation) { return observation.has_doppler(); });
+  follow(slots_.admit(owners_of(observations), last_.stamp));
+  for (const SatelliteObservation& observation : observations) {
+    const auto bias = slots_.find({observation.constellation, observation.satellite});
+    const auto offset = slots_.find({observation.constellation, std::nullopt});
+    const bool with_offset = has_offset(observation.constellation);
+    if (!bias || (with_offset && !offset)) continue;
+    SlottedObservation satellite;
+    satellite.observation = observation;
+    satellite.prior = line_of_sight_prior(observation, parameters_.errors.mixture);
+    satellite.sigma = line_of_sight_sigma(observation, parameters_.errors);
+    satellite.delay = mean_nlos_delay(observation.elevation, parameters_.errors.mixture);
+    if (with_offset) satellite.offset_slot = *offset;
+    satellite.bias_slot = *bias;
+    result.satellites.push_back(satellite);
+  }
+  // The surest first: the others are then judged against what these say.
+  std::stable_sort(result.satellites.begin(), result.satellites.end(),
+                   [](const auto& a, const auto& b) { return a.prior > b.prior; });
+  return result;
+}
+
+double PseudorangeMixtureFilter::pace(double duration) const {
+  if (!last_.from_range_rates) return moved_ / duration;
+  if (bank_.empty()) return 0.0;
+  return heaviest().likeliest().mean.segment<2>(PseudorangeBelief::kVelocityEast).norm();
+}
+
+const PseudorangeHypothesis& PseudorangeMixtureFilter::heaviest() const {
+  return *std::max_element(bank_.begin(), bank_.end(),
+                           [](const auto& a, const auto& b) { return a.log_weight < b.log_weight; });
+}
+
+void PseudorangeMixtureFilter::follow(const std::vector<SatelliteSlots::Change>& changes) {
+  for (const SatelliteSlots::Change& change : changes) {
+    for (PseudorangeHypothesis& hypothesis : bank_) {
+      if (change.removed) {
+        hypothesis.remove(*change.removed);
+      } else {
+        hypothesis.append(unknown_variance(change.appended));
+      }
+    }
+  }
+}
+
+double PseudorangeMixtureFilter::unknown_variance(const SlotOwner& owner) const {
+  return square(owner.satellite ? parameters_.receiver.bias_sigma : parameters_.receiver.offset_sigma);
+}
+
+void PseudorangeMixtureFilter::update_agreement(const SlottedEpoch& epoch) {
+  double expected = 0.0;
+  double found = 0.0;
+  for (const SlottedObservation& satellite : epoch.satellites) expected += satellite.prior;
+  const std::vector<double> weights = weights_of(bank_);
+  for (std::size_t i = 0; i < bank_.size(); ++i) found += weights[i] * bank_[i].line_of_sight_share();
+  found *= static_cast<double>(epoch.satellites.size());
+  agreement_ += (found / expected - agreement_) * (1.0 - std::exp(-epoch.duration / kAgreementTime));
+}
+
+void PseudorangeMixtureFilter::update_alignment() {
+  const bool settled = !in_doubt() && cluster_.mass >= parameters_.align_probability &&
+                       cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
+  settled_over_ = settled ? settled_over_ + moved_ : 0.0;
+  if (cluster_.mass < kUnsettle || in_doubt()) aligned_ = false;
+  if (settled && settled_over_ >= parameters_.align_distance) aligned_ = true;
+}
+
+Belief PseudorangeMixtureFilter::current(const Belief& belief) const {
+  Belief moved = belief;
+  moved.propagate(odometry_, parameters_.odometry);
+  return moved;
+}
+
+PoseEstimate PseudorangeMixtureFilter::estimate() const {
+  PoseEstimate result;
+  result.stamp = last_.stamp;
+  if (bank_.empty()) return result;
+  Belief belief = current(cluster_.belief);
+  if (!aligned_) {
+    const Belief place = current(place_.belief);
+    belief.mean.head<2>() = place.mean.head<2>();
+    belief.covariance.topLeftCorner<3, 3>() = place.covariance.topLeftCorner<3, 3>();
+  }
+  const Eigen::Matrix2d floor = square(parameters_.position_sigma_floor) * Eigen::Matrix2d::Identity();
+  result.valid = true;
+  result.aligned = aligned_;
+  result.pose = belief.pose();
+  result.covariance = belief.covariance.topLeftCorner<3, 3>();
+  result.covariance.topLeftCorner<2, 2>() += floor;
+  result.dominance = cluster_.mass;
+  result.position_covariance_overall = place_.overall_position_covariance + floor;
+  result.shadow_probability = cluster_.shadow;
+  double squares = 0.0;
+  for (const double weight : weights_of(bank_)) squares += square(weight);
+  result.effective_sample_size = 1.0 / squares;
+  return result;
+}
+
+std::vector<Hypothesis> PseudorangeMixtureFilter::hypotheses() const {
+  std::vector<Hypothesis> cloud;
+  if (bank_.empty()) return cloud;
+  const std::vector<WeightedBelief> particles = planar(bank_);
+  const std::vector<double> weights = weights_of(bank_);
+  const auto ancestors = systematic_resampling(weights, kCloud, 0.5);
+  for (std::size_t i = 0; i < ancestors.size(); ++i) {
+    const Belief belief = current(particles[ancestors[i]].belief);
+    const Eigen::Matrix3d root = belief.covariance.topLeftCorner<3, 3>().llt().matrixL();
+    RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
+    const Eigen::Vector3d d = root * normals<3>(random);
+    const Pose2 pose{belief.mean(kX) + d.x(), belief.mean(kY) + d.y(), wrap_angle(belief.mean(kYaw) + d.z())};
+    cloud.push_back({pose, 1.0 / static_cast<double>(kCloud),
+                     particles[ancestors[i]].in_shadow ? Mode::kShadow : Mode::kOpen});
+  }
+  return cloud;
+}
+
+}  // namespace multipath_localization

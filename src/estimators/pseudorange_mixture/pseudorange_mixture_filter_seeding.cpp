@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cmath>
+
+#include "estimators/pseudorange_mixture/pseudorange_mixture_filter.hpp"
+#include "multipath_localization/models/motion/odometry_motion.hpp"
+#include "support/numbers.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr double kUpClockCorrelation = 0.8;
+constexpr double kGoldenRatio = 0.6180339887498949;
+constexpr double kLeastYawStrata = 12.0;
+constexpr std::uint32_t kSeeding = 0xFFFFFFFEU;  // random streams beside those of hypotheses
+constexpr double kSeedSigma = 5.0;               // [m]
+constexpr double kSeedLogScale = 3.0;            // tempers the choice of seeds: errors of one epoch mislead
+constexpr double kAnyYaw = 1.8;                  // of any heading [rad]
+constexpr double kAnySpeed = 10.0;               // of a robot without wheels [m/s]
+constexpr int kReseedPart = 4;                   // of the hypotheses at the start
+constexpr int kWatchPart = 8;                    // likewise, when aligned
+
+}  // namespace
+
+PseudorangeBelief PseudorangeMixtureFilter::unknown_belief() const {
+  using State = PseudorangeBelief;
+  PseudorangeBelief belief;
+  auto& P = belief.covariance;
+  P.diagonal().head<2>().setConstant(square(parameters_.start_sigma));
+  P(kYaw, kYaw) = square(kPi / std::max(kLeastYawStrata, static_cast<double>(parameters_.hypotheses)));
+  P(kScale, kScale) = square(parameters_.odometry.scale_sigma);
+  P(kGyroBias, kGyroBias) = square(parameters_.odometry.gyro_bias_sigma);
+  // What lengthens all ranges alike is known better than height and clock.
+  const double up = square(parameters_.start_up_sigma);
+  P(State::kUp, State::kUp) = P(State::kClock, State::kClock) = up;
+  P(State::kUp, State::kClock) = P(State::kClock, State::kUp) = kUpClockCorrelation * up;
+  P(State::kDrift, State::kDrift) = square(parameters_.start_drift_sigma);
+  if (last_.from_range_rates) {
+    P(kYaw, kYaw) = square(kAnyYaw);
+    P.diagonal().segment<2>(State::kVelocityEast).setConstant(square(kAnySpeed));
+  }
+  return belief;
+}
+
+PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeSeed& seed, double yaw,
+                                                              const Eigen::Vector2d& antenna_in_base) const {
+  using State = PseudorangeBelief;
+  PseudorangeBelief belief = has_clock_ || bank_.empty() ? unknown_belief() : bank_.front().likeliest();
+  if (has_clock_ || bank_.empty()) {
+    belief.mean.head<2>() = seed.position.head<2>() - rotation(yaw) * antenna_in_base;
+    belief.mean(kYaw) = yaw;
+  }
+  belief.mean(State::kUp) = seed.position.z();
+  belief.mean(State::kClock) = seed.clock;
+  for (int slot = 0; slot < slots_.size(); ++slot) {
+    const SlotOwner& owner = slots_.owner(slot);
+    const int state = State::state_of(slot);
+    if (state == belief.mean.size()) belief.append(unknown_variance(owner));
+    if (!owner.satellite) belief.mean(state) = seed.offset[static_cast<std::size_t>(owner.constellation)];
+  }
+  PseudorangeHypothesis hypothesis(belief, laws());
+  if (has_clock_ && !bank_.empty()) hypothesis.learn_from(heaviest());
+  return hypothesis;
+}
+
+std::optional<AntennaPrior> PseudorangeMixtureFilter::antenna_prior(
+    const Eigen::Vector2d& antenna_in_base) const {
+  if (has_clock_ || bank_.empty()) return std::nullopt;
+  const FixPrediction prediction(bank_.front().planar(), antenna_in_base);
+  return AntennaPrior{prediction.antenna, prediction.antenna_covariance};
+}
+
+bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double probability) {
+  std::vector<SatelliteObservation> observations;
+  for (const SlottedObservation& satellite : epoch.satellites) observations.push_back(satellite.observation);
+  const int subsets = has_clock_ ? std::max(1, parameters_.subsets / kReseedPart) : parameters_.subsets;
+  const PseudorangeSeedingParameters settings{subsets, kSeedSigma, parameters_.receiver.offset_sigma,
+                                              kSeedLogScale};
+  RandomStream random(seed_, step_, kSeeding);
+  const auto seeds =
+      pseudorange_seeds(observations, antenna_prior(epoch.antenna_in_base), static_cast<std::size_t>(count),
+                        parameters_.errors.mixture, settings, random);
+  if (seeds.empty()) return false;
+  // Headings by the golden ratio: evenly over the circle for each stretch of the seeds.
+  double turn = random.uniform();
+  std::vector<PseudorangeHypothesis> newcomers;
+  for (const PseudorangeSeed& seed : seeds) {
+    const bool keeps_heading = aligned_ && newcomers.size() % 2 == 1;
+    const double yaw = keeps_heading ? cluster_.belief.mean(kYaw) : kPi * (2.0 * turn - 1.0);
+    newcomers.push_back(hypothesis_at(seed, yaw, epoch.antenna_in_base));
+    newcomers.back().log_weight = std::log(probability / static_cast<double>(count));
+    turn = std::fmod(turn + kGoldenRatio, 1.0);
+  }
+  if (!has_clock_) bank_.clear();
+  bank_.insert(bank_.end(), newcomers.begin(), newcomers.end());
+  has_clock_ = true;
+  last_seeding_ = last_.stamp;
+  return true;
+}
+
+bool PseudorangeMixtureFilter::rivals_due() const {
+  const double interval = aligned_ ? parameters_.watch_interval : parameters_.reseed_interval;
+  return (moved_ > 0.0 || in_doubt()) && last_.stamp - last_seeding_ > interval;
+}
+
+void PseudorangeMixtureFilter::add_rivals(const SlottedEpoch& epoch) {
+  const int part = aligned_ ? kWatchPart : kReseedPart;
+  seed(epoch, std::max(1, parameters_.hypotheses / part), rival_probability());
+}
+
+}  // namespace multipath_localization

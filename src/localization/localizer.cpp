@@ -1,0 +1,212 @@
+#include "multipath_localization/localization/localizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace multipath_localization {
+
+namespace {
+
+constexpr std::size_t kMostWaiting = 1000;  ///< measurements ahead of odometry that has stopped
+constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fixes", "pairs of fixes",
+                                                                              "pseudoranges", "velocities"};
+
+/// "about 7 m more", or "on" where the way is not known.
+std::string way_on(double way) {
+  if (!std::isfinite(way)) return "on";
+  return "about " + std::to_string(std::max(1L, std::lround(std::ceil(way)))) + " m more";
+}
+
+OdometryIncrement lasting(OdometryIncrement increment, double start, double end) {
+  increment.stamp = end;
+  increment.duration = end - start;
+  return increment;
+}
+
+}  // namespace
+
+void LocalizerParameters::fields(ParameterVisitor& field) {
+  field("history_length", history_length, {0.1, 60.0}, "s",
+        "odometry kept, so that fixes this late still count");
+  tunable(field);
+}
+
+void LocalizerParameters::tunable(ParameterVisitor& field) {
+  field("future_tolerance", future_tolerance, {0.0, 10.0}, "s",
+        "a fix stamped further ahead of the odometry than this is refused");
+  field("dead_reckoning_after", dead_reckoning_after, {0.1, 600.0}, "s",
+        "without an accepted fix for this long the state is DEAD_RECKONING");
+  field("lost_sigma", lost_sigma, {0.1, 1e4}, "m",
+        "with a larger standard deviation of position over all hypotheses the state is LOST");
+  field("frozen_distance", frozen_distance, {0.0, 1000.0}, "m",
+        "a receiver that says the same to the bit while the robot drives this far is frozen");
+  field.group("fix_covariance", fix_covariance, "how far receivers are believed");
+}
+
+Localizer::Localizer(std::unique_ptr<Estimator> estimator, const LocalizerParameters& parameters)
+    : estimator_(std::move(estimator)),
+      parameters_(parameters),
+      history_(parameters.history_length),
+      fix_covariance_(parameters.fix_covariance) {}
+
+void Localizer::start(const std::optional<PosePrior>& prior) {
+  estimator_->start(prior);
+  history_.clear();
+  fix_covariance_.clear();
+  mirror_check_.clear();
+  standstill_ = {};
+  told_.reset();
+  frozen_.reset();
+  waiting_.clear();
+  accepted_.fill(std::nullopt);
+  has_odometry_ = false;
+}
+
+void Localizer::tune(ParameterVisitor& field) {
+  parameters_.tunable(field);
+  fix_covariance_.set(parameters_.fix_covariance);
+}
+
+void Localizer::add(const OdometryIncrement& reported) {
+  const OdometryIncrement settled = standstill_.settled(reported);
+  const OdometryIncrement increment = gyro_.with_turn(settled, standstill_.at_rest());
+  double from = increment.stamp - increment.duration;
+  const auto advance = [&](double to) {
+    if (to <= from) return;
+    const OdometryIncrement part = lasting(increment, from, to);
+    history_.add(part);
+    mirror_check_.add(part);
+    driven_ += ground_speed(part) * part.duration;
+    estimator_->predict(part);
+    now_ = from = to;
+  };
+  if (!has_odometry_) start_ = now_ = from;
+  has_odometry_ = true;
+  while (!waiting_.empty() && stamp_of(waiting_.front()) <= increment.stamp) {
+    const Measurement measurement = waiting_.front();
+    waiting_.pop_front();
+    advance(stamp_of(measurement));
+    apply(measurement);
+  }
+  advance(increment.stamp);
+}
+
+void Localizer::add(const Measurement& measurement) {
+  const double stamp = stamp_of(measurement);
+  if (!has_odometry_) {
+    reports_.push_back({stamp, measurement, refused(Reason::kNotStarted), {}, {}});
+  } else if (stamp > now_ + parameters_.future_tolerance || waiting_.size() >= kMostWaiting) {
+    reports_.push_back({stamp, measurement, refused(Reason::kFutureStamp), {}, {}});
+  } else if (stamp > now_) {
+    const auto place = std::upper_bound(waiting_.begin(), waiting_.end(), stamp,
+                                        [](double t, const Measurement& m) { return t < stamp_of(m); });
+    waiting_.insert(place, measurement);
+  } else {
+    apply(measurement);
+  }
+}
+
+void Localizer::apply(const Measurement& measurement) {
+  const double stamp = stamp_of(measurement);
+  MeasurementReport report{stamp, measurement, refused(Reason::kOldStamp), std::nullopt, std::nullopt};
+  std::optional<Measurement> carried = carried_back(measurement, [this](double then) {
+    return then == now_ ? std::optional<Pose2>(Pose2{}) : history_.base_then_in_base_now(then);
+  });
+  if (carried) {
+    auto* fix = std::get_if<GnssFix>(&*carried);
+    report.innovation = fix == nullptr ? estimator_->update(*carried) : weigh(*fix, report);
+  }
+  const bool tells_position = !std::holds_alternative<GnssVelocity>(measurement);
+  if (tells_position && (report.innovation.accepted() || report.innovation.reason == Reason::kRepeated)) {
+    std::optional<double>& last = accepted_[measurement.index()];
+    last = std::max(last.value_or(stamp), stamp);
+  }
+  reports_.push_back(report);
+}
+
+Innovation Localizer::weigh(GnssFix& fix, MeasurementReport& report) {
+  const PoseEstimate before = estimator_->estimate();
+  fix.covariance = fix_covariance_.of(fix.covariance);
+  Innovation innovation = estimator_->update(fix);
+  tell_frozen(fix, innovation.reason);
+  const double expected = innovation.covariance.trace();
+  if (expected > 0.0) report.used_sigma = std::sqrt(0.5 * (expected + before.bias.squaredNorm()));
+  const bool sound = innovation.accepted() || innovation.reason == Reason::kGated;
+  if (sound) mirror_check_.add(fix);
+  if (sound && before.aligned) {
+    fix_covariance_.observe(driven_, fix.position - before.pose * fix.antenna_in_base);
+  }
+  report.observed_sigma = fix_covariance_.observed_sigma();
+  return innovation;
+}
+
+void Localizer::tell_frozen(const GnssFix& fix, Reason& reason) {
+  frozen_.reset();
+  if (reason != Reason::kFrozen) {
+    if (!told_ || told_->position != fix.position) told_ = {fix.position, fix.stamp, driven_};
+    return;
+  }
+  const double driven = told_ ? driven_ - told_->driven : 0.0;
+  if (driven <= parameters_.frozen_distance) {
+    reason = Reason::kRepeated;
+  } else {
+    frozen_ = {fix.stamp - told_->stamp, driven};
+  }
+}
+
+std::vector<MeasurementReport> Localizer::take_reports() { return std::exchange(reports_, {}); }
+
+Trust Localizer::state() const {
+  const PoseEstimate estimate = estimator_->estimate();
+  if (!has_odometry_ || !estimate.valid) return Trust::kNotReady;
+  if (!estimate.aligned || mirrored()) return Trust::kAligning;
+  const double variance = estimate.position_covariance_overall.trace();
+  if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return Trust::kLost;
+  if (now_ - last_accepted() > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
+  return estimate.shadow_probability > 0.5 ? Trust::kMultipath : Trust::kGood;
+}
+
+double Localizer::last_accepted() const {
+  return std::max(start_, std::max_element(accepted_.begin(), accepted_.end())->value_or(start_));
+}
+
+std::size_t Localizer::latest_kind() const {
+  return static_cast<std::size_t>(std::max_element(accepted_.begin(), accepted_.end()) - accepted_.begin());
+}
+
+std::string Localizer::basis() const { return kKinds[latest_kind()]; }
+
+std::string Localizer::missed() const {
+  std::string text;
+  for (std::size_t kind = latest_kind() + 1; kind < accepted_.size(); ++kind) {
+    const double age = now_ - accepted_[kind].value_or(now_);
+    if (age <= parameters_.dead_reckoning_after) continue;
+    text += std::string(", no ") + kKinds[kind] + " for " + std::to_string(std::lround(age)) + " s";
+  }
+  return text;
+}
+
+std::string Localizer::state_reason() const {
+  const PoseEstimate estimate = estimator_->estimate();
+  switch (state()) {
+    case Trust::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
+    case Trust::kAligning:
+      if (mirrored()) {
+        return "odometry turns the other way round than the fixes: is it mirrored, or NED? Let doctor look";
+      }
+      if (estimate.wheel_fault_probability > 0.5) {
+        return "odometry contradicts the fixes: do the wheels slip, does an encoder fail?";
+      }
+      return "heading or position not yet confirmed, drive " + way_on(estimate.way_to_alignment) +
+             " under open sky";
+    case Trust::kGood: return basis() + " agree with odometry" + missed();
+    case Trust::kMultipath: return basis() + " are biased, the bias is being tracked" + missed();
+    case Trust::kDeadReckoning:
+      return std::string(frozen_ ? "receiver frozen" : "no usable fix") + ", running on odometry";
+    case Trust::kLost: return "position too uncertain to drive by";
+  }
+  return "";
+}
+
+}  // namespace multipath_localization

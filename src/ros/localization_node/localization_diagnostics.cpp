@@ -1,0 +1,162 @@
+#include "ros/localization_node/localization_diagnostics.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "ros/localization_node/estimate_messages.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr double kLongSilence = 2.0;     ///< [s]
+constexpr std::size_t kMostFrames = 10;  ///< unknown to tf, that are told
+
+void summarise_input(diagnostic_updater::DiagnosticStatusWrapper& status, const InputMonitor& input) {
+  const InputMonitor::Standing standing = input.standing();
+  status.summary(standing.sound ? DiagnosticStatus::OK : DiagnosticStatus::WARN, standing.sentence);
+  for (const auto& [reason, number] : input.tally().counts()) {
+    status.add(std::string(to_string(reason)), number);
+  }
+}
+
+unsigned char level_of(Trust trust) {
+  switch (trust) {
+    case Trust::kGood:
+    case Trust::kMultipath: return DiagnosticStatus::OK;
+    case Trust::kLost: return DiagnosticStatus::ERROR;
+    default: return DiagnosticStatus::WARN;
+  }
+}
+
+}  // namespace
+
+LocalizationDiagnostics::LocalizationDiagnostics(const LocalizationInputs& inputs, const Localizer& localizer,
+                                                 const TfWatch& tf, Backlog& backlog,
+                                                 const LocalizationParameters& parameters)
+    : inputs_(inputs), localizer_(localizer), tf_(tf), backlog_(backlog), parameters_(parameters) {
+  updater_.setHardwareID("none");
+  updater_.add("odometry", this, &LocalizationDiagnostics::report_odometry);
+  updater_.add("filter", this, &LocalizationDiagnostics::report_filter);
+  updater_.add("tf", this, &LocalizationDiagnostics::report_tf);
+}
+
+void LocalizationDiagnostics::report() {
+  for (std::size_t kind = 0; kind < kGnssKinds.size(); ++kind) {
+    const InputMonitor& input = inputs_.gnss.of(kind);
+    if (figures_[kind].shown || (!input.awaited() && !input.seen())) continue;
+    figures_[kind].shown = true;
+    updater_.add(std::string(kGnssKinds[kind]), [this, kind](Status& status) { report_gnss(status, kind); });
+  }
+  if (!gyro_shown_ && inputs_.gyro.monitor().seen()) {
+    gyro_shown_ = true;
+    updater_.add("gyro", this, &LocalizationDiagnostics::report_gyro);
+  }
+  updater_.force_update();
+}
+
+bool LocalizationDiagnostics::set_antenna_frame(const std::string& frame, bool known) {
+  if (!known) {
+    return unknown_antenna_frames_.size() < kMostFrames && unknown_antenna_frames_.insert(frame).second;
+  }
+  unknown_antenna_frames_.erase(frame);
+  return false;
+}
+
+void LocalizationDiagnostics::Figures::tell(Status& status) const {
+  if (last.sequence == 0) return;
+  status.add("last reason", last.reason);
+  status.add("age [s]", last.age);
+  if (last.satellites > 0) {
+    status.add("satellites", last.satellites);
+    status.add("usable satellites", last.usable_satellites);
+  } else {
+    status.add("declared sigma [m]", last.declared_sigma);
+    status.add("observed sigma [m]", last.observed_sigma);
+    status.add("used sigma [m]", last.used_sigma);
+  }
+  status.add("predicted sigma of innovation [m]", last.predicted_sigma);
+}
+
+void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
+  const InputMonitor& input = inputs_.gnss.of(kind);
+  summarise_input(status, input);
+  const std::optional<FrozenReceiver>& frozen = localizer_.frozen();
+  if (kind == kFixKind && frozen && !input.silent(kLongSilence)) {
+    status.summaryf(DiagnosticStatus::ERROR,
+                    "receiver frozen %.0f s, the robot has driven %.0f m meanwhile: restart its driver",
+                    frozen->duration, frozen->driven);
+  }
+  if (!input.awaited()) {
+    status.summary(DiagnosticStatus::OK, parameters_.estimator + " has no use for it");
+  } else if (!input.seen() && !inputs_.gnss.silent(kLongSilence)) {
+    status.summary(DiagnosticStatus::OK, "does not come and is not needed");
+  } else if (const std::string sigmas = sigmas_told(figures_[kind].last);
+             status.level == DiagnosticStatus::OK && !sigmas.empty()) {
+    status.summary(DiagnosticStatus::OK, status.message + ": " + sigmas);
+  }
+  figures_[kind].tell(status);
+}
+
+void LocalizationDiagnostics::report_odometry(Status& status) {
+  summarise_input(status, inputs_.odometry);
+  if (localizer_.mirrored()) {
+    status.summary(
+        DiagnosticStatus::ERROR,
+        "turns the other way round than the fixes: mirrored, or NED; yaw is to be counter-clockwise");
+  }
+}
+
+void LocalizationDiagnostics::report_gyro(Status& status) {
+  const InputMonitor::Standing standing = inputs_.gyro.standing(localizer_.gyro());
+  summarise_input(status, inputs_.gyro.monitor());
+  status.summary(standing.sound ? DiagnosticStatus::OK : DiagnosticStatus::WARN, standing.sentence);
+}
+
+void LocalizationDiagnostics::report_filter(Status& status) {
+  const PoseEstimate estimate = localizer_.estimate();
+  const Trust trust = localizer_.state();
+  status.summary(level_of(trust), std::string(to_string(trust)) + ": " + localizer_.state_reason());
+  const Backlog::LeftOut left_out = backlog_.take_left_out();
+  if (left_out.measurements > 0 || left_out.increments > 0) {
+    status.summaryf(
+        DiagnosticStatus::WARN,
+        "does not keep up: %u measurements not weighed, %u of odometry summed up; lower the number "
+        "of particles or the rates",
+        left_out.measurements, left_out.increments);
+  }
+  if (!note_.empty()) status.summary(DiagnosticStatus::WARN, std::exchange(note_, ""));
+  status.add("estimator", parameters_.estimator);
+  status.add("poses since last report", std::exchange(poses_, 0));
+  status.add("slowest update [ms]", 1e3 * std::exchange(slowest_update_, 0.0));
+  if (!estimate.valid) return;
+  status.add("position sigma [m]", std::sqrt(estimate.position_covariance_overall.trace()));
+  status.add("yaw sigma [rad]", std::sqrt(estimate.covariance(2, 2)));
+  status.add("bias [m]", estimate.bias.norm());
+  status.add("shadow probability", estimate.shadow_probability);
+  status.add("wheel fault probability", estimate.wheel_fault_probability);
+  status.add("effective sample size", estimate.effective_sample_size);
+}
+
+void LocalizationDiagnostics::report_tf(Status& status) {
+  const FrameParameters& frames = parameters_.frames;
+  std::string unknown;
+  for (const std::string& frame : unknown_antenna_frames_) unknown += " " + tf_.antennas().described(frame);
+  if (!tf_.broadcaster_of_odom().empty() && parameters_.outputs.publish_tf) {
+    status.summary(DiagnosticStatus::ERROR, tf_.broadcaster_of_odom() + " broadcasts a parent of " +
+                                                frames.odom_frame +
+                                                " too: stop it, or set publish_tf to false");
+  } else if (!unknown.empty()) {
+    status.summary(DiagnosticStatus::WARN, "no transform from " + frames.base_link_frame + " to" + unknown +
+                                               parameters_.gnss.otherwise_at());
+  } else {
+    status.summary(DiagnosticStatus::OK, parameters_.outputs.publish_tf
+                                             ? "broadcasts " + frames.map_frame + " -> " + frames.odom_frame
+                                             : "broadcasts nothing, as asked");
+  }
+  status.add("antenna frames unknown to tf", unknown);
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+
+#include "multipath_localization/FixReport.h"
+#include "multipath_localization/localization/localizer.hpp"
+#include "ros/localization_node/backlog.hpp"
+#include "ros/localization_node/gnss_inputs.hpp"
+#include "ros/localization_node/gyro_input.hpp"
+#include "ros/localization_node/tf_watch.hpp"
+
+namespace multipath_localization {
+
+/// All that comes in.
+struct LocalizationInputs {
+  const GnssInputs& gnss;
+  const InputMonitor& odometry;
+  const GyroInput& gyro;
+};
+
+/// Statuses on /diagnostics, each one sentence and its figures: odometry, filter, tf, once there is one the
+/// gyro, and for each kind of GnssMessage that the estimator uses or that is published one of its name.
+class LocalizationDiagnostics {
+ public:
+  /// Looks at its arguments whenever it reports; they have to outlive it.
+  LocalizationDiagnostics(const LocalizationInputs& inputs, const Localizer& localizer, const TfWatch& tf,
+                          Backlog& backlog, const LocalizationParameters& parameters);
+
+  /// Publishes all. To be called at a steady rate.
+  void report();
+
+  void add(const FixReport& report, std::size_t kind) { figures_[kind].add(report); }
+  void add_update_time(double seconds) { slowest_update_ = std::max(slowest_update_, seconds); }
+  void add_pose() { ++poses_; }
+
+  /// One sentence on a pause, a restart or a breakdown, shown by `filter` until the next report.
+  void note(const std::string& sentence) { note_ = sentence; }
+  /// Whether tf knows the frame of an antenna. Returns true when it is not and nobody said so before.
+  bool set_antenna_frame(const std::string& frame, bool known);
+
+ private:
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
+  /// What the reports on one kind of measurement say.
+  struct Figures {
+    void add(const FixReport& report) { last = report; }
+    /// Adds them to a status.
+    void tell(Status& status) const;
+
+    bool shown = false;
+    FixReport last;
+  };
+
+  void report_gnss(Status& status, std::size_t kind);
+  void report_odometry(Status& status);
+  void report_gyro(Status& status);
+  void report_filter(Status& status);
+  void report_tf(Status& status);
+
+  LocalizationInputs inputs_;
+  const Localizer& localizer_;
+  const TfWatch& tf_;
+  Backlog& backlog_;
+  const LocalizationParameters& parameters_;
+  std::array<Figures, kGnssKinds.size()> figures_;
+  bool gyro_shown_ = false;
+  unsigned poses_ = 0;
+  double slowest_update_ = 0.0;
+  std::string note_;
+  std::set<std::string> unknown_antenna_frames_;
+  diagnostic_updater::Updater updater_;
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,150 @@
+#include "ros/messages/gnss_message.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace multipath_localization {
+
+namespace {
+
+/// Reads one kind of message after the other kinds of it have been told apart.
+class Reading {
+ public:
+  Reading(const LocalFrame& map, const GnssParameters& parameters, const AntennaFinder& antenna_in_base)
+      : map_(map), parameters_(parameters), antenna_in_base_(antenna_in_base) {}
+
+  CheckedMeasurement operator()(const sensor_msgs::NavSatFix& message) const {
+    const std::optional<Eigen::Vector2d> antenna = lone_antenna(message.header.frame_id);
+    if (!antenna) return {Reason::kInvalidFrame, {}};
+    const CheckedFix checked = to_fix(message, map_, parameters_.fix, *antenna);
+    return {checked.reason, checked.fix};
+  }
+
+  CheckedMeasurement operator()(const FixPair& message) const {
+    const std::optional<Eigen::Vector2d> left = antenna_in_base_(message.left.header.frame_id);
+    const std::optional<Eigen::Vector2d> right = antenna_in_base_(message.right.header.frame_id);
+    if (!left || !right) return {Reason::kInvalidFrame, {}};
+    const CheckedDual checked = to_dual(message, map_, parameters_.fix, *left, *right);
+    return {checked.reason, checked.fix};
+  }
+
+  CheckedMeasurement operator()(const GnssEpoch& message) const {
+    const std::optional<Eigen::Vector2d> antenna = lone_antenna(message.header.frame_id);
+    if (!antenna) return {Reason::kInvalidFrame, {}};
+    const CheckedEpoch checked = to_epoch(message, map_, parameters_.epoch, *antenna);
+    return {checked.reason, checked.epoch};
+  }
+
+  CheckedMeasurement operator()(const geometry_msgs::TwistWithCovarianceStamped& message) const {
+    const std::optional<Eigen::Vector2d> antenna = lone_antenna(message.header.frame_id);
+    if (!antenna) return {Reason::kInvalidFrame, {}};
+    const CheckedVelocity checked = to_velocity(message, parameters_.velocity, *antenna);
+    return {checked.reason, checked.velocity};
+  }
+
+ private:
+  [[nodiscard]] std::optional<Eigen::Vector2d> lone_antenna(const std::string& frame) const {
+    const std::optional<Eigen::Vector2d> antenna = antenna_in_base_(frame);
+    if (antenna || parameters_.require_antenna_transform) return antenna;
+    return parameters_.antenna_otherwise();
+  }
+
+  const LocalFrame& map_;
+  const GnssParameters& parameters_;
+  const AntennaFinder& antenna_in_base_;
+};
+
+const std_msgs::Header& header(const FixPair& pair) {
+  return (pair.left.header.stamp < pair.right.header.stamp ? pair.right : pair.left).header;
+}
+
+template <class Message>
+const std_msgs::Header& header(const Message& message) {
+  return message.header;
+}
+
+}  // namespace
+
+void GnssParameters::fields(ParameterVisitor& field) {
+  field("antenna", antenna, {-100.0, 100.0}, "m",
+        "a lone antenna whose frame tf does not place on the robot is here on the base, forwards and to the "
+        "left; empty: at the base");
+  if (!antenna.empty() && antenna.size() != 2) throw ParameterError("antenna is not [forwards, to the left]");
+  field("require_antenna_transform", require_antenna_transform,
+        "refuse fixes whose frame tf does not place on the robot, instead of taking the antenna to be where "
+        "`antenna` says");
+  field("pair_tolerance", pair_tolerance, {0.0, 1.0}, "s",
+        "fixes of the left and the right antenna whose stamps differ by more are of two instants");
+  field("delay", delay, {-2.0, 2.0}, "s",
+        "fixes, epochs and velocities are of this long before their stamps; tune_from_bag tells");
+  field.group("fix", fix, "how fixes are read");
+  field.group("epoch", epoch, "how epochs of pseudoranges are read");
+  field.group("velocity", velocity, "how velocities of a receiver are read");
+}
+
+Eigen::Vector2d GnssParameters::antenna_otherwise() const {
+  return antenna.empty() ? Eigen::Vector2d(0.0, 0.0) : Eigen::Vector2d(antenna[0], antenna[1]);
+}
+
+std::string GnssParameters::otherwise_at() const {
+  if (require_antenna_transform) return ": it is refused";
+  return antenna.empty() ? ": a lone antenna is taken to be at the base"
+                         : ": a lone antenna is taken to be where the parameter antenna says";
+}
+
+std::vector<std::string> frames_of(const GnssMessage& message) {
+  if (const auto* pair = std::get_if<FixPair>(&message)) {
+    return {pair->left.header.frame_id, pair->right.header.frame_id};
+  }
+  return {header_of(message).frame_id};
+}
+
+const std_msgs::Header& header_of(const GnssMessage& message) {
+  return std::visit([](const auto& m) -> const std_msgs::Header& { return header(m); }, message);
+}
+
+double declared_sigma(const GnssMessage& message) {
+  if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return declared_sigma(*fix);
+  if (const auto* pair = std::get_if<FixPair>(&message)) {
+    return std::hypot(declared_sigma(pair->left), declared_sigma(pair->right)) * std::sqrt(0.5);
+  }
+  if (const auto* velocity = std::get_if<geometry_msgs::TwistWithCovarianceStamped>(&message)) {
+    return declared_sigma(*velocity);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::size_t satellites_of(const Measurement& measurement) {
+  const auto* epoch = std::get_if<PseudorangeEpoch>(&measurement);
+  return epoch == nullptr ? 0 : epoch->observations.size();
+}
+
+std::size_t satellites_of(const GnssMessage& message) {
+  const auto* epoch = std::get_if<GnssEpoch>(&message);
+  return epoch == nullptr ? 0 : epoch->pseudoranges.size();
+}
+
+Reason check(const GnssMessage& message, const GnssParameters& parameters) {
+  if (const auto* epoch = std::get_if<GnssEpoch>(&message)) return check(*epoch, parameters.epoch);
+  if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return check(*fix, parameters.fix);
+  if (const auto* velocity = std::get_if<geometry_msgs::TwistWithCovarianceStamped>(&message)) {
+    return check(*velocity, parameters.velocity);
+  }
+  const auto& pair = std::get<FixPair>(message);
+  const Reason left = check(pair.left, parameters.fix);
+  return left == Reason::kAccepted ? check(pair.right, parameters.fix) : left;
+}
+
+std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameters& parameters) {
+  if (const auto* epoch = std::get_if<GnssEpoch>(&message)) return solve_geodetic(*epoch, parameters.epoch);
+  if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return to_geodetic(*fix);
+  if (const auto* pair = std::get_if<FixPair>(&message)) return to_geodetic(pair->left);
+  return std::nullopt;
+}
+
+CheckedMeasurement to_measurement(const GnssMessage& message, const LocalFrame& map,
+                                  const GnssParameters& parameters, const AntennaFinder& antenna_in_base) {
+  return std::visit(Reading(map, parameters, antenna_in_base), message);
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "ros/messages/conversions.hpp"
+#include "ros/messages/epoch_conversions.hpp"
+#include "ros/messages/velocity_conversions.hpp"
+
+namespace multipath_localization {
+
+/// What comes in of GNSS. The index is that of what becomes of it, in Measurement.
+using GnssMessage =
+    std::variant<sensor_msgs::NavSatFix, FixPair, GnssEpoch, geometry_msgs::TwistWithCovarianceStamped>;
+
+/// Names of these kinds, by index.
+constexpr std::array<std::string_view, std::variant_size_v<GnssMessage>> kGnssKinds = {"fix", "dual", "epoch",
+                                                                                       "velocity"};
+constexpr std::size_t kFixKind = 0, kDualKind = 1, kEpochKind = 2, kVelocityKind = 3;
+using UsedKinds = std::array<bool, kGnssKinds.size()>;
+static_assert(std::variant_size_v<Measurement> == kGnssKinds.size());
+
+/// How GNSS messages are read.
+struct GnssParameters {
+  std::vector<double> antenna;
+  bool require_antenna_transform = false;
+  double pair_tolerance = 0.05;
+  double delay = 0.0;
+  FixParameters fix;
+  EpochParameters epoch;
+  VelocityParameters velocity;
+
+  /// Where a lone antenna is that tf does not place on the robot [m].
+  [[nodiscard]] Eigen::Vector2d antenna_otherwise() const;
+  /// ": a lone antenna is taken to be ...", what becomes of one that tf does not place on the robot.
+  [[nodiscard]] std::string otherwise_at() const;
+
+  /// Throws ParameterError on an antenna that is neither empty nor two numbers.
+  void fields(ParameterVisitor& field);
+};
+
+/// A message as if it was stamped `delay` earlier [s]; a stamp of zero stays, and no other becomes zero.
+template <class Stamped>
+Stamped stamped_earlier(Stamped message, double delay) {
+  if (message.header.stamp.isZero()) return message;
+  const double stamp = message.header.stamp.toSec() - delay;
+  const bool there_is = stamp > 0.0 && stamp < std::numeric_limits<std::uint32_t>::max();
+  message.header.stamp = there_is ? message.header.stamp - ros::Duration(delay) : ros::Time(0, 1);
+  return message;
+}
+
+/// A measurement, or the reason why there is none.
+struct CheckedMeasurement {
+  Reason reason = Reason::kAccepted;
+  Measurement measurement;  ///< counts only when accepted
+};
+
+/// Finds the antenna of a frame on the base [m], nothing when tf does not know the frame.
+using AntennaFinder = std::function<std::optional<Eigen::Vector2d>(const std::string& frame)>;
+
+/// Of the antennas, one or two.
+std::vector<std::string> frames_of(const GnssMessage& message);
+
+/// Of a pair the later one's.
+const std_msgs::Header& header_of(const GnssMessage& message);
+
+/// Root of the mean horizontal variance as declared, of a pair over both [m], of a velocity [m/s]; NaN where
+/// none is, as for an epoch.
+double declared_sigma(const GnssMessage& message);
+
+/// Number of pseudoranges of an epoch, 0 for fixes.
+std::size_t satellites_of(const Measurement& measurement);
+std::size_t satellites_of(const GnssMessage& message);
+
+/// What of the message can be judged without datum and antenna: `accepted`, or the reason why not.
+Reason check(const GnssMessage& message, const GnssParameters& parameters);
+
+/// Where a message that passed `check` puts the antenna, of a pair the left one; nothing for an epoch that
+/// does not tell, and for a velocity.
+std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameters& parameters);
+
+/// Reads a message by the tables of `to_fix`, `to_dual`, `to_epoch` and `to_velocity`. An antenna whose frame
+/// is unknown is taken to be where `antenna` says, by default at the base, unless its transform is required
+/// or it is one of two.
+CheckedMeasurement to_measurement(const GnssMessage& message, const LocalFrame& map,
+                                  const GnssParameters& parameters, const AntennaFinder& antenna_in_base);
+
+}  // namespace multipath_localization

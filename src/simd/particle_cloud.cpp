@@ -1,0 +1,194 @@
+#include "simd/particle_cloud.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace multipath_localization {
+
+namespace {
+
+/// Fewer particles are not worth waking threads for: a second one takes some 200 us of waking an update, and
+/// half the work of 30 000 is 290 us.
+constexpr std::size_t kThreadedFrom = 30000;
+constexpr std::size_t kCandidates = 24;
+constexpr std::size_t kProbes = 512;
+
+/// Particles of equal weight that stand for all.
+struct Probes {
+  std::array<double, kProbes> x;
+  std::array<double, kProbes> y;
+  std::array<double, kProbes> yaw;
+};
+
+int count_within(const Probes* probes, PoseNeighbourhood within) {
+  int count = 0;
+#pragma omp simd reduction(+ : count)
+  for (std::size_t i = 0; i < kProbes; ++i) {
+    count += static_cast<int>(membership(within, probes->x[i], probes->y[i], probes->yaw[i]));
+  }
+  return count;
+}
+
+/// How many of a block's cumulated weights, in ascending order, are not above `target`: kBlockSize - 1 at
+/// most. Without a branch, that many searches run at a time.
+std::size_t first_above(const double* cumulated, double target) {
+  std::size_t below = 0;
+  for (std::size_t step = kBlockSize / 2; step > 0; step /= 2) {
+    below += step * static_cast<std::size_t>(cumulated[below + step - 1] <= target);
+  }
+  return below;
+}
+
+/// Where the cumulated weights reach (k + 1/2) / kProbes of their sum, k = 0 .. kProbes - 1.
+std::array<std::size_t, kProbes> evenly_drawn(const BlockWeights& weights) {
+  std::array<std::size_t, kProbes> drawn{};
+  const double spacing = weights.total() / kProbes;
+  const auto target = [&](std::size_t k) { return (static_cast<double>(k) + 0.5) * spacing; };
+  const std::size_t blocks = blocks_of(weights.size());
+  std::size_t k = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const std::size_t last = block_length(block, weights.size()) - 1;
+    const double* cumulated = weights.cumulated(block);
+    const double base = weights.base(block);
+    const double per_weight = 1.0 / weights.scale(block);
+    for (; k < kProbes && (block + 1 == blocks || target(k) < weights.base(block + 1)); ++k) {
+      drawn[k] = block_begin(block) + std::min(first_above(cumulated, (target(k) - base) * per_weight), last);
+    }
+  }
+  return drawn;
+}
+
+void add_logarithms(const double* factor, double* log_weight, std::size_t size) {
+#pragma omp simd
+  for (std::size_t i = 0; i < size; ++i) log_weight[i] += elementary::log(factor[i]);
+}
+
+double dot(const double* weight, const float* label, std::size_t size) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < size; ++i) sum += weight[i] * static_cast<double>(label[i]);
+  return sum;
+}
+
+}  // namespace
+
+ParticleCloud::ParticleCloud(InstructionSet set, std::size_t threads)
+    : set_(set), threads_(std::make_unique<WorkerPool>(threads)) {}
+
+void ParticleCloud::reset(std::size_t size) {
+  for (auto* values : {&x_, &y_, &yaw_, &log_weight_}) values->assign(size, 0.0);
+  factor_.resize(size);
+  has_factors_ = false;
+  member_.assign(size, 1.0F);
+  label_.assign(size, 0.0F);
+  weights_.set_equal(size);
+}
+
+void ParticleCloud::set_pose(std::size_t i, const Pose2& pose) {
+  x_[i] = pose.x;
+  y_[i] = pose.y;
+  yaw_[i] = pose.yaw;
+}
+
+void ParticleCloud::set_log_weight(std::size_t i, double log_weight) {
+  log_weight_[i] = log_weight + weights_.log_sum();
+  factor_[i] = 1.0;
+}
+
+void ParticleCloud::take_in(const double* factor, double* log_weight, std::size_t size) const {
+  run<add_logarithms>(set_, factor, log_weight, size);
+}
+
+PoseBlock ParticleCloud::poses(std::size_t block) {
+  const std::size_t first = block_begin(block);
+  return {&x_[first], &y_[first], &yaw_[first], block_length(block, size())};
+}
+
+void ParticleCloud::for_each_block(std::size_t size, const std::function<void(std::size_t)>& work) {
+  const std::size_t blocks = blocks_of(size);
+  if (size >= kThreadedFrom) return threads_->for_each(blocks, work);
+  for (std::size_t block = 0; block < blocks; ++block) work(block);
+}
+
+PoseSums ParticleCloud::sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work) {
+  block_sums_.resize(blocks_of(size()));
+  const auto work_and_sum = [&](std::size_t block) {
+    work(block);
+    block_sums_[block] =
+        pose_sums(set_, poses(block), weights_.relative(block), &member_[block_begin(block)], reference);
+  };
+  for_each_block(size(), std::cref(work_and_sum));
+  PoseSums sums;
+  for (std::size_t block = 0; block < block_sums_.size(); ++block) {
+    sums.add(weights_.scale(block), block_sums_[block]);
+  }
+  return sums;
+}
+
+double ParticleCloud::mean_label() const {
+  double sum = 0.0;
+  for (std::size_t block = 0; block < blocks_of(size()); ++block) {
+    sum += weights_.scale(block) *
+           run<dot>(set_, weights_.relative(block), &label_[block_begin(block)], block_length(block, size()));
+  }
+  return sum;
+}
+
+PoseNeighbourhood ParticleCloud::dominant_neighbourhood(double distance, double turn) const {
+  Probes probes;
+  const auto drawn = evenly_drawn(weights_);
+  for (std::size_t k = 0; k < kProbes; ++k) {
+    probes.x[k] = x_[drawn[k]];
+    probes.y[k] = y_[drawn[k]];
+    probes.yaw[k] = yaw_[drawn[k]];
+  }
+  PoseNeighbourhood dominant;
+  int most = -1;
+  for (std::size_t c = 0; c < kCandidates; ++c) {
+    const std::size_t candidate = drawn[(2 * c + 1) * kProbes / (2 * kCandidates)];
+    const PoseNeighbourhood within{pose(candidate), distance, turn};
+    const int count = run<count_within>(set_, &probes, within);
+    if (count <= most) continue;
+    dominant = within;
+    most = count;
+    if (most == static_cast<int>(kProbes)) break;
+  }
+  return dominant;
+}
+
+PoseSums ParticleCloud::choose_members(const PoseNeighbourhood& within) {
+  const auto mark = [&](std::size_t block) {
+    mark_members(set_, poses(block), within, &member_[block_begin(block)]);
+  };
+  return sums_after(within.centre, std::cref(mark));
+}
+
+/// In plain code, because the gathering instructions of AVX2 are slower than single loads.
+void ParticleCloud::select(const std::vector<std::uint32_t>& ancestors) {
+  const std::size_t size = ancestors.size();
+  for (auto* values : {&spare_x_, &spare_y_, &spare_yaw_}) values->resize(size);
+  for (auto* values : {&spare_member_, &spare_label_}) values->resize(size);
+  const auto gather = [&](std::size_t block) {
+    const std::size_t end = block_begin(block) + block_length(block, size);
+    for (std::size_t i = block_begin(block); i < end; ++i) {
+      const std::size_t ancestor = ancestors[i];
+      spare_x_[i] = x_[ancestor];
+      spare_y_[i] = y_[ancestor];
+      spare_yaw_[i] = yaw_[ancestor];
+      spare_member_[i] = member_[ancestor];
+      spare_label_[i] = label_[ancestor];
+    }
+  };
+  for_each_block(size, std::cref(gather));
+  x_.swap(spare_x_);
+  y_.swap(spare_y_);
+  yaw_.swap(spare_yaw_);
+  member_.swap(spare_member_);
+  label_.swap(spare_label_);
+  log_weight_.assign(size, 0.0);
+  factor_.resize(size);
+  has_factors_ = false;
+  weights_.set_equal(size);
+}
+
+}  // namespace multipath_localization

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "simd/block.hpp"
+#include "simd/block_weights.hpp"
+#include "simd/instruction_set.hpp"
+#include "simd/pose_moments.hpp"
+#include "support/worker_pool.hpp"
+
+namespace multipath_localization {
+
+/// Weighted poses, a thousand or a hundred thousand, worked on block by block: what a particle filter does
+/// with them, whatever moves and weighs them. Same bytes for any number of threads.
+class ParticleCloud {
+ public:
+  explicit ParticleCloud(InstructionSet set = best_instruction_set(), std::size_t threads = 1);
+
+  /// `size` particles at the origin, equally weighted, all of them members.
+  void reset(std::size_t size);
+
+  [[nodiscard]] std::size_t size() const { return x_.size(); }
+  [[nodiscard]] bool empty() const { return x_.empty(); }
+  [[nodiscard]] InstructionSet instruction_set() const { return set_; }
+  [[nodiscard]] Pose2 pose(std::size_t i) const { return {x_[i], y_[i], yaw_[i]}; }
+  void set_pose(std::size_t i, const Pose2& pose);
+
+  [[nodiscard]] const BlockWeights& weights() const { return weights_; }
+  /// Replaces a weight, by the logarithm; in force after the next `weigh`.
+  void set_log_weight(std::size_t i, double log_weight);
+
+  /// A number that goes with each particle when resampled, of the caller's choice.
+  [[nodiscard]] float label(std::size_t i) const { return label_[i]; }
+
+  /// Calls `move(poses, first)` for each block and gives the sums of where its members then are.
+  /// `first` is the number of the block's first particle.
+  template <class Move>
+  PoseSums move(const Pose2& reference, const Move& move) {
+    const auto work = [&](std::size_t block) {
+      move(poses(block), static_cast<std::uint32_t>(block_begin(block)));
+    };
+    return sums_after(reference, std::cref(work));
+  }
+
+  /// Calls `add(poses, log_weights, factors, labels)` for each block, which multiplies the weights by a
+  /// likelihood: adds part of its logarithm and sets the factors to the rest. Normalises. False when no
+  /// particle has any weight left: all are equal then.
+  template <class Add>
+  bool weigh(const Add& add) {
+    const auto work = [&](std::size_t block) {
+      double* log_weight = &log_weight_[block_begin(block)];
+      double* factor = &factor_[block_begin(block)];
+      if (has_factors_) take_in(factor, log_weight, block_length(block, size()));
+      add(poses(block), log_weight, factor, &label_[block_begin(block)]);
+      weights_.set(set_, block, log_weight, factor);
+    };
+    for_each_block(size(), std::cref(work));
+    has_factors_ = weights_.normalise();
+    if (!has_factors_) std::fill(log_weight_.begin(), log_weight_.end(), 0.0);
+    return has_factors_;
+  }
+
+  /// Mean of the labels.
+  [[nodiscard]] double mean_label() const;
+
+  /// The heaviest of the neighbourhoods, of this size, of 24 particles that stand at equal steps of the
+  /// cumulated weight, so that every mode of mass above 1/24 is tried; masses are taken from 512 particles
+  /// drawn likewise.
+  [[nodiscard]] PoseNeighbourhood dominant_neighbourhood(double distance, double turn) const;
+
+  /// Makes members of those within the neighbourhood, and of no other, and gives their sums.
+  PoseSums choose_members(const PoseNeighbourhood& within);
+
+  /// The particles at `ancestors`, equally weighted: Eqs. (40), (41) of [NIS].
+  void select(const std::vector<std::uint32_t>& ancestors);
+
+ private:
+  /// Those of a block, where they are stored.
+  PoseBlock poses(std::size_t block);
+  /// Adds the logarithms of factors to those of weights.
+  void take_in(const double* factor, double* log_weight, std::size_t size) const;
+  /// By reference, lest the function be copied to the heap.
+  /// Of `size` particles.
+  void for_each_block(std::size_t size, const std::function<void(std::size_t)>& work);
+  PoseSums sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work);
+
+  InstructionSet set_;
+  std::unique_ptr<WorkerPool> threads_;
+  std::vector<double> x_;
+  std::vector<double> y_;
+  std::vector<double> yaw_;
+  std::vector<double> log_weight_;  ///< up to a constant
+  std::vector<double> factor_;      ///< of the weights, beside the logarithm, where there are any
+  bool has_factors_ = false;
+  std::vector<float> member_;  ///< 1 or 0
+  std::vector<float> label_;
+  BlockWeights weights_;
+  std::vector<PoseSums> block_sums_;
+  std::vector<double> spare_x_, spare_y_, spare_yaw_;
+  std::vector<float> spare_member_, spare_label_;
+};
+
+}  // namespace multipath_localization
