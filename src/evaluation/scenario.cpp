@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/plain_yaml.hpp"
+#include "multipath_localization/guidance/waypoint_file.hpp"
 
 namespace multipath_localization {
 
@@ -53,23 +54,6 @@ MotionCommand command_at(const std::vector<SequenceLeg>& sequence, double time, 
     if (time < end) return motion_command(leg.speed, leg.yaw_rate, wheelbase);
   }
   return {};
-}
-
-std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path) {
-  std::vector<Eigen::Vector2d> points;
-  try {
-    if (!source.IsSequence()) throw YAML::BadConversion(source.Mark());
-    for (const YAML::Node& item : source) {
-      const std::vector<double> pair = yaml_numbers(item);
-      if (pair.size() != 2 || !std::isfinite(pair[0]) || !std::isfinite(pair[1])) {
-        throw ParameterError(path + " holds what is not a pair of finite numbers");
-      }
-      points.emplace_back(pair[0], pair[1]);
-    }
-  } catch (const YAML::Exception&) {
-    throw ParameterError(path + " is not a list of pairs [x, y]");
-  }
-  return points;
 }
 
 Scenario load_scenario(const std::string& file) {

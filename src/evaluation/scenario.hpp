@@ -43,7 +43,4 @@ Scenario load_scenario(const std::string& file);
 /// The same from what such a file holds; `origin` is where it comes from, for what is said of it.
 Scenario parse_scenario(const YAML::Node& source, const std::string& name, const std::string& origin);
 
-/// The entries of a list [[x, y], ...] as points in map [m]. Throws ParameterError, naming `path`.
-std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path);
-
 }  // namespace multipath_localization

@@ -222,6 +222,23 @@ std::optional<WaypointList> read_waypoints(const std::string& file) {
   return format == Format::kCsv ? from_csv(file) : from_yaml(file);
 }
 
+std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path) {
+  std::vector<Eigen::Vector2d> points;
+  try {
+    if (!source.IsSequence()) throw YAML::BadConversion(source.Mark());
+    for (const YAML::Node& item : source) {
+      const std::vector<double> pair = yaml_numbers(item);
+      if (pair.size() != 2 || !std::isfinite(pair[0]) || !std::isfinite(pair[1])) {
+        throw ParameterError(path + " holds what is not a pair of finite numbers");
+      }
+      points.emplace_back(pair[0], pair[1]);
+    }
+  } catch (const YAML::Exception&) {
+    throw ParameterError(path + " is not a list of pairs [x, y]");
+  }
+  return points;
+}
+
 void write_waypoints(const std::string& file, const WaypointList& waypoints) {
   const bool csv = format_of(file) == Format::kCsv;
   const std::string first = waypoints.on_earth ? "latitude" : "x";

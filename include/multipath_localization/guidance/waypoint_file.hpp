@@ -1,5 +1,7 @@
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
@@ -43,8 +45,11 @@ void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::o
 /// anything else.
 std::optional<WaypointList> read_waypoints(const std::string& file);
 
-/// Writes such a file, to 0.1 mm; it is replaced as a whole. Throws ParameterError on another ending and
-/// std::system_error where it cannot write.
+/// The entries of a list [[x, y], ...] as points in map [m]. Throws ParameterError, naming `path`.
+std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path);
+
+/// Writes a file of waypoints, to 0.1 mm; it is replaced as a whole. Throws ParameterError on another ending
+/// and std::system_error where it cannot write.
 void write_waypoints(const std::string& file, const WaypointList& waypoints);
 
 }  // namespace multipath_localization

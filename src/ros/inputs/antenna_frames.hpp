@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/localization_node/localization_parameters.hpp"
+#include "ros/inputs/frame_parameters.hpp"
 
 namespace multipath_localization {
 

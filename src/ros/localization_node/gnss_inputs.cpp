@@ -17,15 +17,6 @@ ros::TransportHints at_once() { return ros::TransportHints().tcpNoDelay(); }
 
 }  // namespace
 
-std::optional<geometry_msgs::TwistWithCovarianceStamped> velocity_of(
-    const topic_tools::ShapeShifter& message) {
-  using Declared = geometry_msgs::TwistWithCovarianceStamped;
-  using Bare = geometry_msgs::TwistStamped;
-  if (message.getMD5Sum() == ros::message_traits::md5sum<Declared>()) return *message.instantiate<Declared>();
-  if (message.getMD5Sum() != ros::message_traits::md5sum<Bare>()) return std::nullopt;
-  return without_covariance(*message.instantiate<Bare>());
-}
-
 GnssInputs::GnssInputs(ros::NodeHandle node, const GnssParameters& parameters, const UsedKinds& used,
                        Take take, GiveUp give_up)
     : delay_(parameters.delay),

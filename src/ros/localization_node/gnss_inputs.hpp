@@ -14,11 +14,6 @@
 
 namespace multipath_localization {
 
-/// The velocity in a message of either type that receivers' drivers publish: TwistWithCovarianceStamped or
-/// TwistStamped; nothing of another type.
-std::optional<geometry_msgs::TwistWithCovarianceStamped> velocity_of(
-    const topic_tools::ShapeShifter& message);
-
 /// Subscribes to `gps/fix`, `gps/left/fix` with `gps/right/fix`, `gnss/epoch`, and `gps/velocity` of either
 /// of its types, and hands on what comes.
 class GnssInputs {

@@ -15,13 +15,6 @@ void refuse_relative(const std::string& name, const std::string& file) {
 
 }  // namespace
 
-void FrameParameters::fields(ParameterVisitor& field) {
-  field("map_frame", map_frame, {}, "frame the pose is given in, ENU at the datum");
-  field("odom_frame", odom_frame, {}, "frame the odometry is given in");
-  field("base_link_frame", base_link_frame, {}, "frame of the base, x forward");
-  for (std::string* frame : {&map_frame, &odom_frame, &base_link_frame}) *frame = without_slash(*frame);
-}
-
 void OutputParameters::fields(ParameterVisitor& field) {
   field("publish_tf", publish_tf, "whether to broadcast map -> odom");
   field("publish_odom_tf", publish_odom_tf,

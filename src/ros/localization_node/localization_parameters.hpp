@@ -7,21 +7,13 @@
 #include <vector>
 
 #include "multipath_localization/localization/localizer.hpp"
+#include "ros/inputs/frame_parameters.hpp"
 #include "ros/inputs/odometry_reader.hpp"
 #include "ros/localization_node/correction_slew.hpp"
 #include "ros/map/datum_parameter.hpp"
 #include "ros/messages/gnss_message.hpp"
 
 namespace multipath_localization {
-
-/// Names of the frames of REP-105; a leading slash, which tf2 knows none of, is left out.
-struct FrameParameters {
-  std::string map_frame = "map";
-  std::string odom_frame = "odom";
-  std::string base_link_frame = "base_link";
-
-  void fields(ParameterVisitor& field);
-};
 
 /// What leaves the node, and how often.
 struct OutputParameters {

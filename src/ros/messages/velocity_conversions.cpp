@@ -93,4 +93,13 @@ geometry_msgs::TwistWithCovarianceStamped to_message(const GnssVelocity& velocit
   return message;
 }
 
+std::optional<geometry_msgs::TwistWithCovarianceStamped> velocity_of(
+    const topic_tools::ShapeShifter& message) {
+  using Declared = geometry_msgs::TwistWithCovarianceStamped;
+  using Bare = geometry_msgs::TwistStamped;
+  if (message.getMD5Sum() == ros::message_traits::md5sum<Declared>()) return *message.instantiate<Declared>();
+  if (message.getMD5Sum() != ros::message_traits::md5sum<Bare>()) return std::nullopt;
+  return without_covariance(*message.instantiate<Bare>());
+}
+
 }  // namespace multipath_localization

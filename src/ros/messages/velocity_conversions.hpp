@@ -2,6 +2,9 @@
 
 #include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/TwistWithCovarianceStamped.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <optional>
 
 #include "multipath_localization/core/estimate.hpp"
 #include "multipath_localization/core/measurements.hpp"
@@ -52,5 +55,10 @@ geometry_msgs::TwistWithCovarianceStamped without_covariance(const geometry_msgs
 /// The way back; the vertical velocity is zero and as uncertain as twice the horizontal one.
 geometry_msgs::TwistWithCovarianceStamped to_message(const GnssVelocity& velocity,
                                                      const std_msgs::Header& header);
+
+/// The velocity in a message of either type that receivers' drivers publish: TwistWithCovarianceStamped or
+/// TwistStamped; nothing of another type.
+std::optional<geometry_msgs::TwistWithCovarianceStamped> velocity_of(
+    const topic_tools::ShapeShifter& message);
 
 }  // namespace multipath_localization

@@ -1,7 +1,5 @@
 #include "ros/steering_node/steering_settings.hpp"
 
-#include "evaluation/scenario.hpp"
-
 namespace multipath_localization {
 
 void SteeringNodeParameters::fields(ParameterVisitor& field) {

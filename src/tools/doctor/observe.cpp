@@ -7,9 +7,9 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include "ros/bags/bag_file.hpp"
-#include "ros/localization_node/gnss_inputs.hpp"
 #include "ros/map/datum_file.hpp"
 #include "ros/messages/conversions.hpp"
+#include "ros/messages/velocity_conversions.hpp"
 #include "ros/parameters/parameter_server.hpp"
 
 namespace multipath_localization {
