@@ -12,6 +12,7 @@
 #include "ros/localization_node/backlog.hpp"
 #include "ros/localization_node/gnss_inputs.hpp"
 #include "ros/localization_node/gyro_input.hpp"
+#include "ros/localization_node/localization_parameters.hpp"
 #include "ros/localization_node/tf_watch.hpp"
 
 namespace multipath_localization {
