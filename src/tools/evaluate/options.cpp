@@ -6,20 +6,20 @@ namespace po = boost::program_options;
 
 const char* const kAfterwards = R"(
 The table has one line per estimator: means over the seeds, in metres where nothing else is said.
-  epochs         truth samples scored; 'without' those for which there was no estimate, which are not
+  epochs         truth samples scored; 'without': those without an estimate, which are not scored
   95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, where they are not;
                  by satellites: where those in line of sight are not the majority of those received, where they are
-  off s <=       longest time on end that the estimate was off by --off-from or more, in the worst seed
-  beyond ...     longest time on end that it was outside its own 3 sigma ellipse, in the worst seed
+  off s <=       longest time without a break that the estimate was off by --off-from or more, worst seed
+  beyond ...     longest time without a break that it was outside its own 3 sigma ellipse, worst seed
   NEES           error squared over declared variance, 2 is ideal; 'in 95 %' [%] inside the declared ellipse
   waypoints >=   passed by the follower in the seed with the fewest
   missed by <=   the farthest the robot truly was from a waypoint it passed, in the worst seed
 What suites over drives end with, for all drives and for each kind of receiver:
   rmse           geometric mean over the drives
   to best other  geometric mean of the RMSE over that of the best of fixes, gated_ekf and two_stage_ekf
-  to oracle      the same over that of a filter that is told what is wrong with each fix, and all constants
+  to oracle      the same over that of a filter that knows what is wrong with each fix, and all constants
   behind         share of drives on which it is over 10 % worse than the best other
-  beyond         share on which it was outside its own 3 sigma for over 5 s, over 30 s on end
+  beyond         share on which it was outside its own 3 sigma for over 5 s, over 30 s without a break
 Exit status: 0 when every run ended, 1 when one did not, 2 when the command line or the data cannot be used.
 )";
 
@@ -29,14 +29,13 @@ po::options_description stream_options() {
   const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
   add("drive", text("DIR"),
       "a recording: odometry.csv, truth.csv, and fix.csv or pseudoranges.csv or both; without odometry.csv "
-      "it "
-      "moves by Doppler, without truth.csv nothing is scored");
+      "the motion is by Doppler, without truth.csv nothing is scored");
   add("bag", text("FILE"), "a recording: NavSatFix or GnssEpoch, Odometry, truth as PoseStamped or Odometry");
   add("scenario", text("NAME"),
-      "a simulation, steered on the estimate unless it says otherwise: config/scenarios/NAME.yaml, or a "
+      "a simulation, steered by the estimate unless it says otherwise: config/scenarios/NAME.yaml, or a "
       "file");
   add("suite", text("NAME"),
-      "scenarios in a row, and what is to be wished for of the first estimator in each: "
+      "scenarios in a row, and where the first estimator falls short: "
       "config/suites/NAME.yaml, or a file. 'random': a robot, way and receiver drawn for each seed; "
       "'drives:DIR': every recording in DIR, fixes and odometry alone. These two run the default estimator, "
       "gated_ekf and two_stage_ekf, are scored from 60 s on and end with how they stand over all drives");
@@ -48,19 +47,18 @@ po::options_description stream_options() {
   add("imu-topic", text("TOPIC"), "imu/data, or the only Imu");
   add("velocity-topic", text("TOPIC"),
       "velocity of a receiver, with covariance or without; gps/velocity, or the only fix_velocity or vel");
-  add("without", text("A,B"), "inputs that are left aside: gyro, velocity");
+  add("without", text("A,B"), "inputs of a recording to leave out: gyro, velocity");
   add("odom-topic", text("TOPIC"), "odom, or the only Odometry besides truth");
   add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
   add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
   add("faults", text("FILE"),
-      "spoil fixes and odometry by config/fault_injector.yaml, ready in config/faults; of a recording the "
-      "first "
-      "run's faults are those of its seed, the next run's of the next, zones lie in the frame of truth");
+      "inject these faults: keys as in config/fault_injector.yaml, ready files in config/faults; of a "
+      "recording the faults of the first run are those of its seed, of the next run those of the next; zones "
+      "lie in the frame of truth");
   add("datum", text("LAT,LON[,ALT]"),
-      "origin of the frame of a bag's truth [deg, m]; left out: as a static transform earth -> that frame "
-      "has "
-      "it, else where the median of fix - truth is zero, over the fixes in open sky if a shadow topic tells "
-      "which those are, else over all");
+      "origin of the frame of a bag's truth [deg, m]; left out: that of a static transform earth -> that "
+      "frame, else where the median of fix - truth is zero, over the fixes under open sky where a shadow "
+      "topic tells which those are, else over all");
   return options;
 }
 
@@ -72,21 +70,18 @@ po::options_description run_options() {
   po::options_description options("Runs and results", 110);
   const auto add = [&](auto... arguments) { options.add_options()(arguments...); };
   add("estimators", text("A,B"),
-      "names, or 'all'; left out: the default estimator. With parameters of its own as NAME{KEY: VALUE, "
-      "...}, "
-      "under a name of its own as LABEL=NAME{KEY: VALUE, ...}");
+      "names, or 'all'; left out: the default estimator. NAME{KEY: VALUE, ...} gives it parameters of its "
+      "own, LABEL=NAME{KEY: VALUE, ...} a name too");
   add("seeds", po::value<std::string>()->default_value("1")->value_name("N"),
       "run seeds 1..N, or FIRST..LAST; of random robots the seed is the robot's too");
   add("with", text("A,B"),
-      "what random robots are given beside odometry and fixes: gyro, velocity (by Doppler); they stay the "
-      "same "
-      "robots");
+      "inputs of random robots beside odometry and fixes: gyro, velocity (by Doppler); the robots stay the "
+      "same");
   add("jobs", number("N", 1), "runs at a time; changes no result");
-  add("known-start", "tell the estimators the true pose at the start; it is unknown otherwise");
+  add("known-start", "start the estimators at the true pose; it is unknown otherwise");
   add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
-      "a parameter of all estimators, of one as NAME.KEY, of the stream they are put on as localizer.KEY, or "
-      "of "
-      "a scenario as simulator.KEY and steering.KEY; nested by dots; may be repeated");
+      "a parameter of all estimators, of one as NAME.KEY, of the localizer as localizer.KEY, of a scenario "
+      "as simulator.KEY and steering.KEY; nested keys are joined by dots; may be repeated");
   add("off-from", po::value<double>()->default_value(2.0)->value_name("M"),
       "the estimate counts as off from an error of M metres on");
   add("score-from", po::value<double>()->value_name("S"),
