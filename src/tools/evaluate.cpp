@@ -248,8 +248,7 @@ int evaluate(const Options& options) {
 int main(int argc, char** argv) {
   using namespace multipath_localization;
   try {
-    po::options_description description(
-        "Runs estimators over the same stream and scores them against truth");
+    po::options_description description("Runs estimators over the same stream and scores them against truth");
     description.add(stream_options()).add(run_options());
     po::variables_map given;
     const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
