@@ -10,8 +10,7 @@ std::string_view meaning(Reason reason) {
              "look";
     case Reason::kFutureStamp:
       return "stamped ahead of the odometry by more than localizer/future_tolerance: two clocks, or too "
-             "little "
-             "odometry? Let doctor look";
+             "little odometry? Let doctor look";
     case Reason::kNoFix: return "the receiver has no fix, or its status is below fix/min_fix_status";
     case Reason::kInvalidPosition:
       return "out of range, 0, 0, far from the datum, or apart from the others while that was looked for";

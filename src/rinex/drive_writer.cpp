@@ -19,9 +19,8 @@ namespace {
 
 constexpr std::array<const char*, 4> kFiles = {"pseudoranges.csv", "fix.csv", "robust_fix.csv", "drive.yaml"};
 constexpr std::string_view kPseudorangeColumns =
-    "t,sat_id,system,elevation_deg,cn0_dbhz,sat_x,sat_y,sat_z,pseudorange_m,std_m,range_rate_mps,sat_vx,sat_"
-    "vy,"
-    "sat_vz\n";
+    "t,sat_id,system,elevation_deg,cn0_dbhz,sat_x,sat_y,sat_z,pseudorange_m,std_m,range_rate_mps,"
+    "sat_vx,sat_vy,sat_vz\n";
 constexpr std::string_view kFixColumns =
     "t,lat_deg,lon_deg,alt_m,cov_ee_m2,cov_en_m2,cov_nn_m2,cov_uu_m2,num_sat,clock_m,isb_glo_m,isb_gal_m,"
     "isb_bds_m,isb_qzs_m,wrss,dof,status\n";

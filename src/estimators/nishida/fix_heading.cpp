@@ -7,8 +7,7 @@ namespace multipath_localization {
 void FixHeadingParameters::fields(ParameterVisitor& field) {
   field("fix_heading", fix_heading, {"off", "chord", "printed"},
         "heading from two positions, Eq. (12): off; chord = turned by the odometry's own chord, valid in "
-        "reverse; "
-        "printed = direction of the chord + yaw rate x time");
+        "reverse; printed = direction of the chord + yaw rate x time");
   field("fix_heading_distance", fix_heading_distance, {0.0, 1e3}, "m",
         "distance between the two positions at least; 0 as printed");
 }

@@ -16,12 +16,10 @@ void FixParticleFilterParameters::common_fields(ParameterVisitor& field) {
         "resample when the effective sample size, Eq. (39), falls below it");
   field("propagate_from", propagate_from, {"particles", "estimate"},
         "where particles move on from after a fix: particles = each from itself, section 3.3; estimate = all "
-        "from "
-        "the estimate, Algorithm 1");
+        "from the estimate, Algorithm 1");
   field("point_estimate", point_estimate, {"cluster", "mean"},
         "the estimate: cluster = mean of the dominant cluster, never between two; mean = of all particles, "
-        "as Eq. "
-        "(35) prints");
+        "as Eq. (35) prints");
   field("start_sigma", start_sigma, {0.0, 1e3}, "m",
         "spread of the particles round the first fix, beside sigma_b");
   field("position_sigma_floor", position_sigma_floor, {0.001, 100.0}, "m",

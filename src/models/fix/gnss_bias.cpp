@@ -33,10 +33,8 @@ Eigen::Vector2d offset(const State& eta) { return {eta(0), eta(2)}; }
 void GnssBiasParameters::fields(ParameterVisitor& field) {
   field("bias_input", bias_input, {"relative", "smoothed", "absolute"},
         "what the bias Kalman filter smooths: relative = fix - predicted position; smoothed = the fix, its "
-        "distance "
-        "from the predicted position being the radius; absolute = the fix, its distance from the map's "
-        "origin being "
-        "the radius, as Eq. (21) prints");
+        "distance from the predicted position being the radius; absolute = the fix, its distance from the "
+        "map's origin being the radius, as Eq. (21) prints");
   field("bias_process_noise", bias_process_noise, {0.0, 1e4}, "m^2/s^3",
         "white acceleration of the bias, Q of Eq. (17); 0 as printed");
 }

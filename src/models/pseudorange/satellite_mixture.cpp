@@ -32,8 +32,7 @@ double log_erfc(double z) {
 void SatelliteMixtureParameters::fields(ParameterVisitor& field) {
   field("cn0_midpoint", cn0_midpoint, {-30.0, 30.0}, "dB",
         "C/N0 against that of the receiver's strong signals at which a satellite at 30 deg is as likely in "
-        "line of sight as "
-        "not");
+        "line of sight as not");
   field("cn0_width", cn0_width, {0.1, 20.0}, "dB-Hz", "step of C/N0 that changes the odds of LOS by e");
   field("elevation_weight", elevation_weight, {0.0, 20.0}, "1",
         "change of the log odds of LOS per sine of the elevation");

@@ -13,8 +13,7 @@ void GnssReceiverParameters::fields(ParameterVisitor& field) {
   field("elevation_mask_deg", elevation_mask_deg, {0.0, 60.0}, "deg", "lower satellites are left out");
   field("ephemeris_file", ephemeris_file, {},
         "absolute path where ephemerides are saved once a minute and at the end, as RINEX, and read at the "
-        "next start; empty: "
-        "nowhere");
+        "next start; empty: nowhere");
   field("navigation_file", navigation_file, {},
         "absolute path of a RINEX navigation file that helps until satellites have told; empty: none");
   field("record_file", record_file, {}, "absolute path that the stream is appended to; empty: none");

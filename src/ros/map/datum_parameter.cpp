@@ -7,8 +7,7 @@ namespace multipath_localization {
 void DatumParameter::fields(ParameterVisitor& field) {
   field("datum", numbers, {-1e5, 1e5}, "deg, deg, rad, m",
         "latitude, longitude and perhaps yaw and altitude of map's origin; the yaw, counter-clockwise from "
-        "east, "
-        "has to be 0; empty: from the first measurements");
+        "east, has to be 0; empty: from the first measurements");
   if (!given()) return;
   if (numbers.size() == 1 || numbers.size() > 4 || !valid({numbers[0], numbers[1], 0.0})) {
     throw ParameterError(

@@ -88,8 +88,7 @@ std::string together_lines(const NoiseFit& fit) {
   const bool late = behind.value > 0.0;
   return text(
       "# delay, antenna: not told apart by this bag, its speed hardly varies: fixes are %.2f m %s of where "
-      "they "
-      "are to be,\n"
+      "they are to be,\n"
       "#   be it by a delay of %.3f s or by an antenna %.2f m further %s than told. Measure the antenna, or "
       "drive\n"
       "#   at several speeds.\n",
