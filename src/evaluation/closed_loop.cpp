@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/core/covariance.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -55,22 +57,43 @@ struct Published {
   double stamp = -std::numeric_limits<double>::infinity();
   Pose2 pose;
   Trust trust = Trust::kNotReady;
+  double sigma = 0.0;  ///< of the position to a side [m]
 };
 
 /// What the follower is told at the end of a step.
 Published published_by(const Scenario& scenario, const Simulator& simulator, const PoseEstimate& estimate,
                        Trust trust) {
   if (scenario.steered_on_truth) return {simulator.time(), simulator.truth(), Trust::kGood};
-  return {simulator.time(), estimate.pose, trust};
+  return {simulator.time(), estimate.pose, trust,
+          mean_sigma(covariance_overall(estimate).topLeftCorner<2, 2>())};
 }
 
-MotionCommand next_command(const Scenario& scenario, WaypointFollower& follower, const Published& published,
-                           double time) {
-  if (!scenario.sequence.empty()) {
-    return command_at(scenario.sequence, time, scenario.simulator.robot.wheelbase);
+/// Who gives the robot's commands: the follower, or a sequence whatever the estimate.
+class Driver {
+ public:
+  explicit Driver(const Scenario& scenario)
+      : scenario_(scenario),
+        follower_(scenario.steering, scenario.waypoints),
+        limiter_(scenario.steering.limits, scenario.steering.wheelbase) {}
+
+  /// The command for the next `duration` [s], by what is published at `time` [s].
+  MotionCommand command(const Published& published, double time, double duration) {
+    if (!scenario_.sequence.empty()) {
+      return command_at(scenario_.sequence, time, scenario_.simulator.robot.wheelbase);
+    }
+    const double age = time - published.stamp;
+    const FollowerOutput output = follower_.command(limiter_.carried_forward(published.pose, age), age,
+                                                    published.trust, published.sigma);
+    return limiter_.limited(output.command, output.urgent, duration);
   }
-  return follower.command(published.pose, time - published.stamp, published.trust).command;
-}
+
+  [[nodiscard]] const WaypointFollower& follower() const { return follower_; }
+
+ private:
+  const Scenario& scenario_;
+  WaypointFollower follower_;
+  CommandLimiter limiter_;
+};
 
 /// Without the fixes that a fault makes say they are none, which no reader takes.
 std::vector<Measurement> readable(const Simulator& simulator, std::vector<Measurement> measurements) {
@@ -99,8 +122,8 @@ void take_motion(const Readings& readings, double now, Localizer& localizer, Dri
 ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const EstimatorFactory& make,
                            const RunSettings& settings, const ProgressReport& progress) {
   Simulator simulator(scenario.simulator, seed);
-  WaypointFollower follower(scenario.steering, scenario.waypoints);
-  CourseWatch watch(follower);
+  Driver driver(scenario);
+  CourseWatch watch(driver.follower());
   Localizer localizer(make(), settings.localizer);
   localizer.start(settings.known_start ? std::optional(known_start(0.0, simulator.truth())) : std::nullopt);
 
@@ -111,7 +134,7 @@ ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const E
   std::optional<OdometryIncrement> last;
   const auto steps = static_cast<std::int64_t>(std::llround(scenario.duration / simulator.time_step()));
   for (std::int64_t step = 0; step < steps; ++step) {
-    const MotionCommand command = next_command(scenario, follower, published, simulator.time());
+    const MotionCommand command = driver.command(published, simulator.time(), simulator.time_step());
     const Readings readings = simulator.step(command);
     take_motion(readings, simulator.time(), localizer, run.drive);
     if (readings.odometry) last = readings.odometry;

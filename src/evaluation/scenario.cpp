@@ -71,6 +71,7 @@ Scenario parse_scenario(const YAML::Node& source, const std::string& name, const
     scenario.waypoints = load_points(steering["waypoints"], "steering/waypoints");
     steering.remove("waypoints");
   }
+  WaypointFollowerParameters::refuse_former(steering, "steering/");
   load(steering, scenario.steering, "steering");
   if (source["sequence"]) {
     YAML::Node sequence;

@@ -6,17 +6,21 @@
 #include <utility>
 
 #include "guidance/route_continuation.hpp"
+#include "multipath_localization/guidance/path_tracking.hpp"
 #include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
 
 namespace {
 
-constexpr double kJustNow = 3.0;    // a planner takes no longer for a route [s]
-constexpr double kTrailStep = 0.1;  // [m]
-constexpr double kJustThere = 0.3;  // of a place where the robot has just been [m]
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+constexpr double kJustNow = 3.0;  // a planner takes no longer for a route [s]
+/// Of the settling length over the speed [s]: four times the lag of steering and pose of slow bases, from
+/// where on a lag leaves no overshoot of more than a tenth.
+constexpr double kSettlingTime = 0.8;
+constexpr double kSettlingRadii = 0.6;     // turning circles' radii that coming onto a line takes at least
+constexpr double kShortestSettling = 0.5;  // below, it is the noise of poses that is followed [m]
+constexpr double kPlannedBraking = 0.8;    // of the deceleration allowed: the rest makes up for delays
+constexpr double kShortestMean = 0.05;     // of the curvature along the path [m]
 
 double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
@@ -61,36 +65,12 @@ double extent_of(const std::vector<Eigen::Vector2d>& waypoints) {
 
 }  // namespace
 
-void WaypointFollowerParameters::fields(ParameterVisitor& field) {
-  field("law", law, {"path_tracking", "nishida"},
-        "path_tracking: pure pursuit of the line between waypoints; nishida: Eqs. (36)-(38) of [NIS]");
-  field("cruise_speed", cruise_speed, {0.0, 100.0}, "m/s", "where the localisation is good");
-  field("wheelbase", wheelbase, {0.01, 100.0}, "m", "front to rear axle");
-  field("max_steering_angle", max_steering_angle, {0.0, 1.5}, "rad", "to either side");
-  field("k_phi", k_phi, {0.0, 100.0}, "1", "nishida: gain from heading error to steering angle");
-  field("lookahead", lookahead, {0.01, 1e3}, "m", "path_tracking: aims this far ahead on the line");
-  field("switch_radius", switch_radius, {0.01, 1e3}, "m", "a waypoint this near is passed");
-  field("crossing_width", crossing_width, {0.0, 1e3}, "m",
-        "so is one whose line, perpendicular to the way there, is crossed this far aside at most, or within "
-        "switch_radius");
-  field(
-      "loop", loop,
-      "after the last waypoint go on to the first, else stop; stop too where none is farther from the first "
-      "than 2 (turning radius + switch_radius)");
-  field("max_pose_age", max_pose_age, {0.0, 60.0}, "s",
-        "a pose older, or as far ahead of now, stops the robot");
-  field("aligning_distance", aligning_distance, {0.0, 1e3}, "m",
-        "in ALIGNING at the start, and after NOT_READY or LOST, go straight this far, for the heading to "
-        "show, unless it is confirmed before");
-  field("aligning_speed_ratio", aligning_speed_ratio, {0.0, 1.0}, "1", "of the cruise speed in ALIGNING");
-  field("multipath_speed_ratio", multipath_speed_ratio, {0.0, 1.0}, "1", "of the cruise speed in MULTIPATH");
-  field("dead_reckoning_speed_ratio", dead_reckoning_speed_ratio, {0.0, 1.0}, "1",
-        "of the cruise speed in DEAD_RECKONING; 0 holds there as in NOT_READY and LOST");
-}
-
 WaypointFollower::WaypointFollower(const WaypointFollowerParameters& parameters,
                                    std::vector<Eigen::Vector2d> waypoints)
-    : parameters_(parameters), waypoints_(std::move(waypoints)), extent_(extent_of(waypoints_)) {
+    : parameters_(parameters),
+      waypoints_(std::move(waypoints)),
+      extent_(extent_of(waypoints_)),
+      trail_(kJustNow * parameters.cruise_speed) {
   require_finite(waypoints_);
 }
 
@@ -99,21 +79,20 @@ void WaypointFollower::move_waypoints(std::vector<Eigen::Vector2d> waypoints) {
   if (waypoints.size() != waypoints_.size()) throw std::invalid_argument("not as many waypoints as before");
   waypoints_ = std::move(waypoints);
   extent_ = extent_of(waypoints_);
-  segment_start_.reset();
+  way_.reset();
   first_position_.reset();
   trail_.clear();
 }
 
 bool WaypointFollower::continue_along(const std::vector<Eigen::Vector2d>& waypoints) {
   require_finite(waypoints);
-  const bool at_end = finished();
   const auto target =
-      target_in_continuation(waypoints_, at_end ? waypoints_.size() : this->target(), waypoints);
+      target_in_continuation(waypoints_, finished() ? waypoints_.size() : this->target(), waypoints);
   if (!target) return false;
   if (!same_route(waypoints_, waypoints)) passed_ = *target;
   waypoints_ = waypoints;
   extent_ = extent_of(waypoints_);
-  if (at_end) begin_segment();
+  lay_path_anew();
   return true;
 }
 
@@ -122,22 +101,17 @@ void WaypointFollower::take_route(const std::vector<Eigen::Vector2d>& waypoints)
   waypoints_ = waypoints;
   extent_ = extent_of(waypoints_);
   passed_ = 0;
-  segment_start_.reset();
-  if (waypoints_.empty() || trail_.empty() || !has_just_been_at(waypoints_.front())) return;
-  passed_ = joined_at(waypoints_, trail_.back(), kJustNow * parameters_.cruise_speed);
-  begin_segment();
+  way_.reset();
+  if (waypoints_.empty() || trail_.empty() || !trail_.comes_by(waypoints_.front())) return;
+  passed_ = joined_at(waypoints_, trail_.latest(), kJustNow * parameters_.cruise_speed);
+  const auto target = waypoints_.begin() + static_cast<std::ptrdiff_t>(passed_);
+  if (passed_ > 0) lay_path({waypoints_.begin(), target}, trail_.latest());
 }
 
-bool WaypointFollower::has_just_been_at(const Eigen::Vector2d& place) const {
-  return std::any_of(trail_.begin(), trail_.end(),
-                     [&](const Eigen::Vector2d& at) { return (at - place).norm() <= kJustThere; });
-}
-
-void WaypointFollower::remember(const Eigen::Vector2d& position) {
-  if (!trail_.empty() && (position - trail_.back()).norm() < kTrailStep) return;
-  trail_.push_back(position);
-  while (static_cast<double>(trail_.size()) * kTrailStep > kJustNow * parameters_.cruise_speed)
-    trail_.pop_front();
+void WaypointFollower::set_loop(bool loop) {
+  if (loop == parameters_.loop) return;
+  parameters_.loop = loop;
+  lay_path_anew();
 }
 
 std::size_t WaypointFollower::target() const { return waypoints_.empty() ? 0 : passed_ % waypoints_.size(); }
@@ -150,47 +124,43 @@ double WaypointFollower::progress() const {
   return waypoints_.empty() ? 0.0 : static_cast<double>(passed_) / static_cast<double>(waypoints_.size());
 }
 
-bool WaypointFollower::finished() const {
-  return passed_ > 0 && target() == 0 && !(parameters_.loop && can_loop());
-}
+bool WaypointFollower::finished() const { return passed_ > 0 && target() == 0 && !loops(); }
 
 bool WaypointFollower::can_loop() const { return extent_ > loop_extent(); }
 
 double WaypointFollower::loop_extent() const {
-  const double turning_radius = parameters_.wheelbase / std::tan(parameters_.max_steering_angle);
-  return 2.0 * (turning_radius + parameters_.switch_radius);
+  return 2.0 * (1.0 / parameters_.tightest_curvature() + parameters_.switch_radius);
 }
 
 void WaypointFollower::skip() {
   if (waypoints_.empty() || finished()) return;
   ++passed_;
-  segment_start_.reset();
+  way_.reset();
 }
 
 void WaypointFollower::heed(Trust state) {
   if (state != Trust::kNotReady && state != Trust::kLost) return;
   underway_ = false;
   first_position_.reset();
-  segment_start_.reset();
+  way_.reset();
   trail_.clear();
 }
 
-FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state) {
+FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state, double sigma) {
   heed(state);
   if (finished()) return end();
-  const std::string reason = reason_to_stop(pose, pose_age, state);
-  if (!reason.empty()) return {{}, "stopped: " + reason};
+  if (waypoints_.empty()) return {{}, "stopped: no waypoints"};
+  const std::string reason = reason_not_to_trust(pose, pose_age, state, sigma);
+  if (!reason.empty()) return {{}, "stopped: " + reason, true};
 
-  const Pace pace = pace_in(state);
-  const double speed = pace.ratio * parameters_.cruise_speed;
+  const Pace pace = pace_by(state, sigma);
+  if (pace.ratio == 0.0) return {{}, "stopped: " + pace.reason};
   underway_ = underway_ || heading_shown(pose.position(), state);
-  if (!underway_) return {{speed, 0.0}, pace.status};
-  remember(pose.position());
-  pass_waypoints(pose.position());
-  if (finished()) return end();
-  const double angle = parameters_.law == "nishida" ? steer_to_target(pose) : steer_along_path(pose);
-  return {{speed, std::clamp(angle, -parameters_.max_steering_angle, parameters_.max_steering_angle)},
-          pace.status};
+  if (!underway_) return {{pace.ratio * parameters_.cruise_speed, 0.0}, pace.status};
+  trail_.add(pose.position());
+  if (!way_) lay_path({pose.position()}, pose.position());
+  pass_waypoints(pose);
+  return finished() ? end() : steer(pose, pace);
 }
 
 FollowerOutput WaypointFollower::end() const {
@@ -200,25 +170,28 @@ FollowerOutput WaypointFollower::end() const {
       "finished: loop needs a waypoint farther than " + fixed_text(loop_extent(), 1) + " m from the first"};
 }
 
-std::string WaypointFollower::reason_to_stop(const Pose2& pose, double pose_age, Trust state) const {
-  if (waypoints_.empty()) return "no waypoints";
+std::string WaypointFollower::reason_not_to_trust(const Pose2& pose, double pose_age, Trust state,
+                                                  double sigma) const {
   if (!(std::abs(pose_age) <= parameters_.max_pose_age)) return old_pose(pose_age);
-  if (!pose.finite()) return "pose not finite";
+  if (!pose.finite() || !std::isfinite(sigma)) return "pose not finite";
   if (state == Trust::kNotReady) return "localisation not ready";
   if (state == Trust::kLost) return "localisation lost";
-  if (pace_in(state).ratio == 0.0) return pace_in(state).reason;
   return "";
 }
 
-WaypointFollower::Pace WaypointFollower::pace_in(Trust state) const {
+WaypointFollower::Pace WaypointFollower::pace_by(Trust state, double sigma) const {
   const auto slow = [](double ratio, const std::string& reason) {
     return Pace{ratio, reason, ratio < 1.0 ? "slow: " + reason : "driving"};
   };
+  if (state == Trust::kAligning) return slow(parameters_.aligning_speed_ratio, "heading not yet confirmed");
+  const double range = parameters_.stop_sigma - parameters_.slow_sigma;
+  const double left = parameters_.stop_sigma - sigma;
+  double ratio = left > 0.0 ? 1.0 : 0.0;
+  if (sigma > parameters_.slow_sigma && range > 0.0) ratio = std::clamp(left / range, 0.0, 1.0);
   switch (state) {
-    case Trust::kAligning: return slow(parameters_.aligning_speed_ratio, "heading not yet confirmed");
-    case Trust::kMultipath: return slow(parameters_.multipath_speed_ratio, "fixes are biased");
-    case Trust::kDeadReckoning: return slow(parameters_.dead_reckoning_speed_ratio, "no usable fix");
-    default: return {1.0, "", "driving"};
+    case Trust::kMultipath: return slow(ratio, "fixes are biased");
+    case Trust::kDeadReckoning: return slow(ratio, "no usable fix");
+    default: return slow(ratio, "position uncertain");
   }
 }
 
@@ -228,31 +201,54 @@ bool WaypointFollower::heading_shown(const Eigen::Vector2d& position, Trust stat
   return state != Trust::kAligning || far_enough;
 }
 
-void WaypointFollower::pass_waypoints(const Eigen::Vector2d& position) {
-  if (!segment_start_) segment_start_ = position;
-  for (std::size_t i = 0; i < waypoints_.size() && !finished() && passed_target(position); ++i) {
+void WaypointFollower::lay_path(std::vector<Eigen::Vector2d> behind, const Eigen::Vector2d& position) {
+  const std::size_t first = behind.size();
+  // Two rounds: one to drive, after which the path is laid anew, and one to look ahead along.
+  const std::size_t ahead = loops() ? 2 * waypoints_.size() : waypoints_.size() - target();
+  for (std::size_t i = 0; i < ahead; ++i) {
+    behind.push_back(waypoints_[(passed_ + i) % waypoints_.size()]);
+  }
+  const bool stop_at_end = !loops() && parameters_.law != "nishida";
+  PathProgress progress(
+      std::move(behind), first,
+      {parameters_.switch_radius, parameters_.crossing_width, stop_at_end, parameters_.tightest_curvature()},
+      position);
+  const SpeedLimits limits{parameters_.cruise_speed, parameters_.max_lateral_acceleration,
+                           kPlannedBraking * parameters_.limits.max_deceleration,
+                           parameters_.tightest_curvature()};
+  SpeedProfile speed(progress.path(), limits, stop_at_end ? 0.0 : parameters_.cruise_speed);
+  way_.emplace(Way{std::move(progress), std::move(speed)});
+}
+
+void WaypointFollower::lay_path_anew() {
+  if (!way_) return;
+  if (finished() || waypoints_.empty()) {
+    way_.reset();
+  } else {
+    lay_path(way_->progress.behind(), way_->progress.position());
+  }
+}
+
+void WaypointFollower::pass_waypoints(const Pose2& pose) {
+  for (std::size_t i = 0; i < waypoints_.size() && !finished() && way_->progress.passes(pose); ++i) {
     ++passed_;
-    begin_segment();
+    way_->progress.pass_next();
+    if (loops() && way_->progress.left() <= waypoints_.size()) lay_path_anew();
   }
 }
 
-void WaypointFollower::begin_segment() {
-  const std::size_t count = waypoints_.size();
-  for (std::size_t back = 1; back < count && back <= passed_; ++back) {
-    const Eigen::Vector2d& start = waypoints_[(passed_ - back) % count];
-    if ((start - waypoints_[target()]).norm() < parameters_.switch_radius) continue;
-    segment_start_ = start;
-    return;
+FollowerOutput WaypointFollower::steer(const Pose2& pose, const Pace& pace) const {
+  const double most = parameters_.max_steering_angle;
+  const double speed = pace.ratio * parameters_.cruise_speed;
+  if (parameters_.law == "nishida") {  // at one speed: Eq. (37) of [NIS]
+    return {{speed, std::clamp(steer_to_target(pose), -most, most)}, pace.status};
   }
-}
-
-bool WaypointFollower::passed_target(const Eigen::Vector2d& position) const {
-  const Eigen::Vector2d beyond = position - waypoints_[target()];
-  if (beyond.norm() <= parameters_.switch_radius) return true;
-  const Eigen::Vector2d way = waypoints_[target()] - *segment_start_;
-  if (way.isZero()) return false;
-  const double width = std::max(parameters_.crossing_width, parameters_.switch_radius);
-  return beyond.dot(way) >= 0.0 && std::abs(cross(way.normalized(), beyond)) <= width;
+  const double deviation = way_->progress.deviation(pose.position());
+  if (parameters_.max_deviation > 0.0 && deviation > parameters_.max_deviation) {
+    return {{}, "stopped: " + fixed_text(deviation, 1) + " m off the path", true};
+  }
+  const double allowed = std::min(speed, speed_on_path(deviation));
+  return {{allowed, std::clamp(steer_along_path(pose, allowed), -most, most)}, pace.status};
 }
 
 double WaypointFollower::steer_to_target(const Pose2& pose) const {
@@ -260,18 +256,24 @@ double WaypointFollower::steer_to_target(const Pose2& pose) const {
   return parameters_.k_phi * angle_difference(bearing, pose.yaw);               // Eq. (36) of [NIS]
 }
 
-double WaypointFollower::steer_along_path(const Pose2& pose) const {
-  const Eigen::Vector2d start = *segment_start_;
-  const Eigen::Vector2d way = waypoints_[target()] - start;
-  Eigen::Vector2d aim = waypoints_[target()];
-  if (!way.isZero()) {
-    const Eigen::Vector2d along = way.normalized();
-    aim = start + ((pose.position() - start).dot(along) + parameters_.lookahead) * along;
-  }
-  const Eigen::Vector2d ahead = aim - pose.position();
-  const double bearing = angle_difference(direction_of(ahead), pose.yaw);
-  if (std::abs(bearing) > 0.5 * kPi) return std::copysign(parameters_.max_steering_angle, bearing);
-  return std::atan2(2.0 * parameters_.wheelbase * std::sin(bearing), ahead.norm());
+double WaypointFollower::speed_on_path(double deviation) const {
+  // Who is aside of the goal has a way to go still.
+  const double aside = std::max(0.0, deviation - parameters_.switch_radius);
+  return way_->speed.at(way_->progress.path(), way_->progress.station() - aside);
+}
+
+double WaypointFollower::steer_along_path(const Pose2& pose, double speed) const {
+  const double tightest = parameters_.tightest_curvature();
+  const double settling = std::max({kSettlingTime * speed, kSettlingRadii / tightest, kShortestSettling});
+  const Path& path = way_->progress.path();
+  const double station = way_->progress.station();
+  // The mean over the way that full lock takes asks for no faster steering than there is.
+  const double lock = parameters_.max_steering_angle / parameters_.limits.max_steering_rate;
+  const double middle = station + speed * parameters_.steering_lag;
+  const double half = 0.5 * std::max(speed * lock, kShortestMean);
+  const double ahead = path.mean_curvature(middle - half, middle + half);
+  const double curvature = tracking_curvature(pose, path.at(station), ahead, settling, tightest);
+  return std::atan(parameters_.wheelbase * curvature);
 }
 
 }  // namespace multipath_localization

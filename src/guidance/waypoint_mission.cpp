@@ -86,11 +86,11 @@ void WaypointMission::stand_without_waypoints(const std::string& reason) {
   without_waypoints_ = reason;
 }
 
-FollowerOutput WaypointMission::command(const Pose2& pose, double pose_age, Trust state) {
+FollowerOutput WaypointMission::command(const Pose2& pose, double pose_age, Trust state, double sigma) {
   follower_.heed(state);
   if (order_ != Order::kDrive) return {{}, reason_to_stand()};
   if (!without_waypoints_.empty()) return {{}, "stopped: " + without_waypoints_};
-  return follower_.command(pose, pose_age, state);
+  return follower_.command(pose, pose_age, state, sigma);
 }
 
 bool WaypointMission::finished() const {

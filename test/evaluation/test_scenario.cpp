@@ -42,10 +42,12 @@ TEST_P(ShippedScenario, IsDrivenRoundByItsOwnSteering) {
   const Scenario scenario = shipped(GetParam());
   Simulator simulator(scenario.simulator, 1);
   WaypointFollower follower(scenario.steering, scenario.waypoints);
+  CommandLimiter limiter(scenario.steering.limits, scenario.steering.wheelbase);
   int shadow = 0;
   int steps = 0;
   for (; simulator.time() < scenario.duration; ++steps) {
-    simulator.step(follower.command(simulator.truth(), 0.0, Trust::kGood).command);
+    const FollowerOutput output = follower.command(simulator.truth(), 0.0, Trust::kGood);
+    simulator.step(limiter.limited(output.command, output.urgent, simulator.time_step()));
     shadow += simulator.in_shadow() ? 1 : 0;
   }
   EXPECT_GE(follower.laps(), 2);

@@ -105,7 +105,7 @@ TEST(WaypointFollower, PassesByRadius) {
 }
 
 TEST(WaypointFollower, PassesByCrossingTheLineOfAMissedWaypoint) {
-  WaypointFollower follower(WaypointFollowerParameters{}, kSquare);
+  WaypointFollower follower(WaypointFollowerParameters{}, {{20.0, 0.0}, {40.0, 0.0}});
   follower.command({0.0, 0.0, 0.0}, 0.0, Trust::kGood);
   follower.command({19.9, 3.0, 0.0}, 0.0, Trust::kGood);
   EXPECT_EQ(follower.target(), 0U);
@@ -137,12 +137,14 @@ TEST(WaypointFollower, StopsAndSaysWhy) {
     const FollowerOutput output = follower.command(pose, age, state);
     EXPECT_EQ(output.command.speed, 0.0) << output.status;
     EXPECT_EQ(output.command.steering_angle, 0.0) << output.status;
+    EXPECT_TRUE(output.urgent) << output.status;
     return output.status;
   };
   EXPECT_EQ(stop({}, 1.2, Trust::kGood), "stopped: pose is 1.2 s old");
   EXPECT_EQ(stop({}, -4.0, Trust::kGood), "stopped: pose is 4.0 s ahead");
   EXPECT_EQ(stop({}, nan, Trust::kGood), "stopped: no pose yet");
   EXPECT_EQ(stop({nan, 0.0, 0.0}, 0.0, Trust::kGood), "stopped: pose not finite");
+  EXPECT_EQ(follower.command({}, 0.0, Trust::kGood, nan).status, "stopped: pose not finite");
   EXPECT_EQ(stop({}, 0.0, Trust::kNotReady), "stopped: localisation not ready");
   EXPECT_EQ(stop({}, 0.0, Trust::kLost), "stopped: localisation lost");
   EXPECT_EQ(follower.command({}, 0.0, Trust::kGood).status, "driving");
@@ -150,19 +152,47 @@ TEST(WaypointFollower, StopsAndSaysWhy) {
   EXPECT_EQ(idle.command({}, 0.0, Trust::kGood).status, "stopped: no waypoints");
 }
 
-TEST(WaypointFollower, SlowsByTheState) {
+TEST(WaypointFollower, SlowsByTheStandardDeviationAndSaysWhy) {
   WaypointFollowerParameters p;
   p.cruise_speed = 2.0;
-  p.multipath_speed_ratio = 0.5;
-  p.dead_reckoning_speed_ratio = 0.0;
+  p.slow_sigma = 1.0;
+  p.stop_sigma = 3.0;
   WaypointFollower follower(p, kSquare);
-  EXPECT_EQ(follower.command({}, 0.0, Trust::kGood).command.speed, 2.0);
-  const FollowerOutput slow = follower.command({}, 0.0, Trust::kMultipath);
-  EXPECT_EQ(slow.command.speed, 1.0);
-  EXPECT_EQ(slow.status, "slow: fixes are biased");
-  const FollowerOutput held = follower.command({}, 0.0, Trust::kDeadReckoning);
-  EXPECT_EQ(held.command.speed, 0.0);
-  EXPECT_EQ(held.status, "stopped: no usable fix");
+  const auto at = [&](double sigma, Trust state) { return follower.command({}, 0.0, state, sigma); };
+  for (const Trust state : {Trust::kGood, Trust::kMultipath, Trust::kDeadReckoning}) {
+    EXPECT_EQ(at(1.0, state).command.speed, 2.0);
+    EXPECT_EQ(at(1.0, state).status, "driving");
+    EXPECT_DOUBLE_EQ(at(1.5, state).command.speed, 1.5);
+    EXPECT_DOUBLE_EQ(at(2.5, state).command.speed, 0.5);
+    EXPECT_EQ(at(3.0, state).command.speed, 0.0);
+  }
+  EXPECT_EQ(at(2.0, Trust::kGood).status, "slow: position uncertain");
+  EXPECT_EQ(at(2.0, Trust::kMultipath).status, "slow: fixes are biased");
+  EXPECT_EQ(at(2.0, Trust::kDeadReckoning).status, "slow: no usable fix");
+  EXPECT_EQ(at(5.0, Trust::kDeadReckoning).status, "stopped: no usable fix");
+  EXPECT_EQ(at(5.0, Trust::kAligning).status, "slow: heading not yet confirmed");
+  EXPECT_FALSE(at(5.0, Trust::kGood).urgent);
+}
+
+TEST(WaypointFollower, StopsAsOneStepWhereTheTwoDeviationsAreOne) {
+  WaypointFollowerParameters p;
+  p.slow_sigma = p.stop_sigma = 2.0;
+  WaypointFollower follower(p, kSquare);
+  EXPECT_EQ(follower.command({}, 0.0, Trust::kGood, 1.9).command.speed, p.cruise_speed);
+  EXPECT_EQ(follower.command({}, 0.0, Trust::kGood, 2.1).command.speed, 0.0);
+}
+
+TEST(WaypointFollower, StopsFarOffItsPathWithTheReason) {
+  WaypointFollowerParameters p;
+  p.max_deviation = 1.5;
+  WaypointFollower follower(p, kSquare);
+  follower.command({0.0, 0.0, 0.0}, 0.0, Trust::kGood);
+  EXPECT_EQ(follower.command({5.0, 1.4, 0.0}, 0.0, Trust::kGood).status, "driving");
+  const FollowerOutput off = follower.command({5.0, 1.6, 0.0}, 0.0, Trust::kGood);
+  EXPECT_EQ(off.status, "stopped: 1.6 m off the path");
+  EXPECT_EQ(off.command.speed, 0.0);
+  EXPECT_TRUE(off.urgent);
+  EXPECT_EQ(follower.command({5.0, 1.4, 0.0}, 0.0, Trust::kGood).status, "driving");
 }
 
 TEST(WaypointFollower, StartsStraightUntilTheHeadingWasConfirmed) {

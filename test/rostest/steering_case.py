@@ -62,35 +62,38 @@ class SteeringCase(unittest.TestCase):
     def set_state(self, state):
         self.state.publish(LocalizationState(state=state))
 
-    def send_pose(self, x, y, yaw, age=0.0, frame="map", stamp=None):
+    def send_pose(self, x, y, yaw, age=0.0, frame="map", stamp=None, sigma=0.0):
         message = Odometry()
         message.header.stamp = stamp or rospy.Time.now() - rospy.Duration(age)
         message.header.frame_id = frame
         message.pose.pose.position.x = x
         message.pose.pose.position.y = y
+        message.pose.covariance = [sigma ** 2] + 6 * [0.0] + [sigma ** 2] + 28 * [0.0]
         message.pose.pose.orientation.z = math.sin(0.5 * yaw)
         message.pose.pose.orientation.w = math.cos(0.5 * yaw)
         self.pose.publish(message)
 
     def expect(self, status, x=0.0, y=0.0, yaw=0.0, **how):
-        """Sends a pose at 20 Hz until the status is as expected; the command then."""
-        end = time.time() + 8.0
-        while time.time() < end:
-            self.send_pose(x, y, yaw, **how)
-            time.sleep(0.05)
-            if self.status.message and self.status.message.data.startswith(status):
-                for _ in range(4):
-                    self.send_pose(x, y, yaw, **how)
-                    time.sleep(0.05)
-                return self.steering.message
-        self.fail(f"status is {self.status.message}, not {status}")
+        """Sends a pose at 20 Hz until the status is as expected and the command changes no more; that command."""
+        return self.settled(status, lambda: self.send_pose(x, y, yaw, **how))
 
     def expect_silent(self, status):
-        """Waits without sending poses until the status is as expected; the command then."""
+        """The same without sending poses."""
+        return self.settled(status, lambda: None)
+
+    def settled(self, status, act):
         end = time.time() + 8.0
+        same, before = 0, (math.nan, math.nan)
         while time.time() < end:
-            if self.status.message and self.status.message.data.startswith(status):
-                time.sleep(0.3)
-                return self.steering.message
+            act()
             time.sleep(0.05)
-        self.fail(f"status is {self.status.message}, not {status}")
+            last = self.steering.message
+            command = (last.speed, last.steering_angle) if last else (0.0, 0.0)
+            expected = self.status.message and self.status.message.data.startswith(status)
+            # A pose is carried forward by its age, which is not the same each time.
+            unchanged = command[0] == before[0] and abs(command[1] - before[1]) < 0.02
+            same = same + 1 if expected and unchanged else 0
+            before = command
+            if same > 3:
+                return last
+        self.fail(f"status is {self.status.message}, not {status}, or the command {before} still changes")

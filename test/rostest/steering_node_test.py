@@ -83,7 +83,22 @@ class SteeringNodeTest(SteeringCase):
 
     def test_slows_where_fixes_are_biased(self):
         self.set_state(LocalizationState.MULTIPATH)
-        self.assertAlmostEqual(self.expect("slow").speed, 0.5)
+        self.assertAlmostEqual(self.expect("driving", sigma=1.0).speed, 1.0)
+        self.assertAlmostEqual(self.expect("slow: fixes are biased", sigma=2.0).speed, 0.5)
+        self.assertEqual(self.expect("stopped: fixes are biased", sigma=3.0).speed, 0.0)
+
+    def test_brakes_and_speeds_up_within_its_limits(self):
+        self.expect("driving")
+        speeds = []
+        self.set_state(LocalizationState.LOST)
+        end = time.time() + 1.0
+        while time.time() < end:
+            self.send_pose(0.0, 0.0, 0.0)
+            time.sleep(0.02)
+            speeds.append(self.cmd_vel.message.linear.x)
+        self.assertEqual(speeds[-1], 0.0)
+        self.assertGreater(len([speed for speed in speeds if 0.0 < speed < 1.0]), 2)
+        self.assertEqual(speeds, sorted(speeds, reverse=True))
 
     def test_stops_on_a_pose_that_is_not_finite(self):
         self.expect("driving")

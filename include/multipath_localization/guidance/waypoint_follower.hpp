@@ -2,54 +2,33 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "multipath_localization/core/motion_command.hpp"
-#include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/pose.hpp"
 #include "multipath_localization/core/trust.hpp"
+#include "multipath_localization/guidance/path_progress.hpp"
+#include "multipath_localization/guidance/speed_profile.hpp"
+#include "multipath_localization/guidance/trail.hpp"
+#include "multipath_localization/guidance/waypoint_follower_parameters.hpp"
 
 namespace multipath_localization {
 
-struct WaypointFollowerParameters {
-  std::string law = "path_tracking";
-  double cruise_speed = 1.5;
-  double wheelbase = 0.5;
-  double max_steering_angle = 0.6;
-  double k_phi = 0.8;
-  double lookahead = 2.0;
-  double switch_radius = 1.0;
-  double crossing_width = 5.0;
-  bool loop = true;
-  double max_pose_age = 0.5;
-  double aligning_distance = 5.0;
-  double aligning_speed_ratio = 0.5;
-  double multipath_speed_ratio = 0.7;
-  double dead_reckoning_speed_ratio = 0.5;
-
-  void fields(ParameterVisitor& field);
-};
-
-/// A command and, in words, what it is for: "driving", "slow: fixes are biased", "stopped: localisation
-/// lost", "finished", ...
+/// A command to be brought about within a base's limits, see CommandLimiter, and, in words, what it is for:
+/// "driving", "slow: fixes are biased", "stopped: localisation lost", "finished", ...
 struct FollowerOutput {
   MotionCommand command;
   std::string status;
+  bool urgent = false;  ///< a stop, because the pose must not be driven by
 };
 
 /// Steers a front-wheel-steering robot along waypoints in map, and stops where the pose cannot be driven by.
 ///
-/// A waypoint is passed within `switch_radius` of it, or by crossing the line through it that is
-/// perpendicular to the way there, at most `crossing_width` or `switch_radius` aside, or by being so near to
-/// what prolongs that way beyond it. A circle round a waypoint that lies within the turning circle crosses
-/// that, so that there is no second one. Departs from [NIS], which knows the radius only and circles round a
-/// target once missed.
-///
-/// The way to a waypoint is the line from the last one passed that is at least `switch_radius` away from it:
-/// the direction between nearer ones is that of their errors.
+/// The law `path_tracking` follows the Path through them, from where the robot is when it sets out, at the
+/// speed of a SpeedProfile, and comes to rest at the last one. `nishida` steers straight for each, at one
+/// speed, as [NIS] does, which circles round a target once missed. When a waypoint is passed: PathProgress.
 ///
 /// With `loop`, a route is driven round where one of its waypoints is farther from the first than what a
 /// robot passes that circles on the spot, 2 (turning radius + `switch_radius`). A smaller one is driven once.
@@ -58,8 +37,9 @@ class WaypointFollower {
   /// Waypoints in map [m]. Throws std::invalid_argument when one is not finite.
   WaypointFollower(const WaypointFollowerParameters& parameters, std::vector<Eigen::Vector2d> waypoints);
 
-  /// The command for a base in map at `pose`, `pose_age` seconds old.
-  FollowerOutput command(const Pose2& pose, double pose_age, Trust state);
+  /// The command for a base in map at `pose`, by now, of a standard deviation of `sigma` to a side [m], as it
+  /// was known `pose_age` seconds ago.
+  FollowerOutput command(const Pose2& pose, double pose_age, Trust state, double sigma = 0.0);
 
   /// As command does by itself: after NOT_READY and LOST the heading has to show anew, as at the start.
   void heed(Trust state);
@@ -83,7 +63,7 @@ class WaypointFollower {
   void take_route(const std::vector<Eigen::Vector2d>& waypoints);
 
   /// Whether to go on to the first waypoint after the last. Taken away, the round under way is the last.
-  void set_loop(bool loop) { parameters_.loop = loop; }
+  void set_loop(bool loop);
 
   [[nodiscard]] std::size_t target() const;  ///< index of the waypoint steered for
   [[nodiscard]] int laps() const;            ///< rounds completed
@@ -91,39 +71,49 @@ class WaypointFollower {
   [[nodiscard]] bool finished() const;       ///< never, when driving round
   [[nodiscard]] bool can_loop() const;       ///< whether the route is wide enough to be driven round
   [[nodiscard]] const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
+  /// Where the robot is on its path. Null before it steers, and after a skip until it does.
+  [[nodiscard]] const PathProgress* progress_on_path() const { return way_ ? &way_->progress : nullptr; }
+  /// The speed along that path, where the pose is known well. Null likewise.
+  [[nodiscard]] const SpeedProfile* speed_profile() const { return way_ ? &way_->speed : nullptr; }
 
  private:
-  /// How fast to drive in a state, and the words for it.
+  /// How fast to drive by the pose, and the words for it.
   struct Pace {
     double ratio;  ///< of the cruise speed
     std::string reason;
     std::string status;
   };
+  struct Way {
+    PathProgress progress;
+    SpeedProfile speed;
+  };
 
-  [[nodiscard]] Pace pace_in(Trust state) const;
-  [[nodiscard]] std::string reason_to_stop(const Pose2& pose, double pose_age, Trust state) const;
-  void remember(const Eigen::Vector2d& position);
-  [[nodiscard]] bool has_just_been_at(const Eigen::Vector2d& place) const;
+  [[nodiscard]] Pace pace_by(Trust state, double sigma) const;
+  [[nodiscard]] std::string reason_not_to_trust(const Pose2& pose, double pose_age, Trust state,
+                                                double sigma) const;
   [[nodiscard]] bool heading_shown(const Eigen::Vector2d& position, Trust state);
-  void pass_waypoints(const Eigen::Vector2d& position);
-  void begin_segment();
-  [[nodiscard]] bool passed_target(const Eigen::Vector2d& position) const;
+  [[nodiscard]] bool loops() const { return parameters_.loop && can_loop(); }
   [[nodiscard]] double loop_extent() const;  ///< of a route driven round, at least [m]
+  /// Lays the path by places behind the robot through the waypoints to come.
+  void lay_path(std::vector<Eigen::Vector2d> behind, const Eigen::Vector2d& position);
+  void lay_path_anew();  ///< through other waypoints to come, if there is one
+  void pass_waypoints(const Pose2& pose);
   [[nodiscard]] FollowerOutput end() const;
+  [[nodiscard]] FollowerOutput steer(const Pose2& pose, const Pace& pace) const;
   /// Eqs. (36) and (38) of [NIS]. Departs: the error is of the heading, where Eq. (36) prints the steering
   /// angle.
   [[nodiscard]] double steer_to_target(const Pose2& pose) const;
-  /// Pure pursuit (Coulter 1992): the arc to a point `lookahead` beyond the foot of the pose on the line.
-  [[nodiscard]] double steer_along_path(const Pose2& pose) const;
+  [[nodiscard]] double speed_on_path(double deviation) const;
+  [[nodiscard]] double steer_along_path(const Pose2& pose, double speed) const;
 
   WaypointFollowerParameters parameters_;
   std::vector<Eigen::Vector2d> waypoints_;
   double extent_;  ///< greatest distance of a waypoint from the first [m]
   std::size_t passed_ = 0;
-  std::optional<Eigen::Vector2d> segment_start_;   ///< none: where the robot is next
+  std::optional<Way> way_;                         ///< none: from where the robot is next
   std::optional<Eigen::Vector2d> first_position_;  ///< since the pose is known
-  std::deque<Eigen::Vector2d> trail_;              ///< where the robot has just been, the latest last
-  bool underway_ = false;                          ///< the heading has been good enough to steer by
+  Trail trail_;
+  bool underway_ = false;  ///< the heading has been good enough to steer by
 };
 
 }  // namespace multipath_localization

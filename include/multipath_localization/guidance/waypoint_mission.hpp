@@ -56,7 +56,7 @@ class WaypointMission {
   void stand_without_waypoints(const std::string& reason);
 
   /// As WaypointFollower::command; zero, and why, where the owner's orders are to stand.
-  FollowerOutput command(const Pose2& pose, double pose_age, Trust state);
+  FollowerOutput command(const Pose2& pose, double pose_age, Trust state, double sigma = 0.0);
 
   /// Whether it stands by order, or at the end of the way: nothing but an order, or waypoints, ends that.
   [[nodiscard]] bool stands() const { return order_ != Order::kDrive || follower_.finished(); }

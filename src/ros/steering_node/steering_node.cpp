@@ -5,6 +5,7 @@
 #include <std_msgs/String.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -34,7 +35,8 @@ SteeringNode::SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& p
                            const SteeringSettings& settings)
     : parameters_(settings.parameters),
       waypoints_(settings.waypoints),
-      mission_(settings.parameters.follower, {}, settings.parameters.autostart) {
+      mission_(settings.parameters.follower, {}, settings.parameters.autostart),
+      limiter_(settings.parameters.follower.limits, settings.parameters.follower.wheelbase) {
   ros::NodeHandle outer(node);
   ros::NodeHandle own(private_node);
   place_waypoints();
@@ -73,6 +75,7 @@ void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
     return;
   }
   pose_ = to_pose2(message.pose.pose).value_or(Pose2{kNaN, kNaN, kNaN});
+  sigma_ = std::sqrt(0.5 * (message.pose.covariance[0] + message.pose.covariance[7]));
   pose_stamp_ = message.header.stamp;
   pose_arrived_ = ros::SteadyTime::now();
   drive();
@@ -92,14 +95,36 @@ double SteeringNode::pose_age(const ros::Time& now) const {
 
 void SteeringNode::watch() {
   const double age = pose_age(ros::Time::now());
-  if (!(std::abs(age) <= parameters_.follower.max_pose_age)) drive();
+  if (!(std::abs(age) <= parameters_.follower.max_pose_age)) {
+    drive();
+  } else if (stopping_) {
+    brake(ros::Time::now());
+  }
 }
 
 void SteeringNode::drive() {
   const ros::Time now = ros::Time::now();
-  const FollowerOutput output = mission_.command(pose_, pose_age(now), trust_);
-  if (!leaves_to_others()) publish(output.command, now);
+  const double age = pose_age(now);
+  const FollowerOutput output = mission_.command(limiter_.carried_forward(pose_, age), age, trust_, sigma_);
   report(output.status);
+  urgent_ = output.urgent;
+  if (output.command.speed == 0.0 && limiter_.last().speed != 0.0) return brake(now);
+  stopping_ = false;
+  const MotionCommand command = limiter_.limited(output.command, urgent_, step_to(now));
+  if (!leaves_to_others()) publish(command, now);
+}
+
+void SteeringNode::brake(const ros::Time& now) {
+  const MotionCommand command = limiter_.limited({}, urgent_, step_to(now));
+  stopping_ = command.speed != 0.0;
+  publish(command, now);
+}
+
+double SteeringNode::step_to(const ros::Time& now) {
+  const ros::SteadyTime steady = ros::SteadyTime::now();
+  const double silence = (steady - std::exchange(commanded_steady_, steady)).toSec();
+  const double step = now.toSec() - std::exchange(commanded_, now).toSec();
+  return step > 0.0 ? step : silence;
 }
 
 bool SteeringNode::leaves_to_others() {
@@ -111,7 +136,10 @@ bool SteeringNode::leaves_to_others() {
   return (ros::SteadyTime::now() - standing_since_).toSec() > kSayZeroFor;
 }
 
-void SteeringNode::halt() { publish({}, ros::Time::now()); }
+void SteeringNode::halt() {
+  limiter_.halt();
+  publish({}, ros::Time::now());
+}
 
 void SteeringNode::publish(const MotionCommand& command, const ros::Time& now) {
   SteeringCommand steering;
@@ -134,11 +162,13 @@ void SteeringNode::report(const std::string& status) {
     status_out_.publish(message);
   }
   const WaypointFollower& follower = mission_.follower();
-  if (follower.progress() != progress_) {
+  const bool laid = follower.progress_on_path() != nullptr;
+  if (follower.progress() != progress_ || laid != path_shown_) {
+    path_shown_ = laid;
     std_msgs::Float64 message;
     message.data = progress_ = follower.progress();
     progress_out_.publish(message);
-    markers_.publish(waypoint_markers(follower, parameters_.map_frame));
+    markers_.publish(waypoint_markers(follower, parameters_.map_frame, parameters_.follower.cruise_speed));
   }
 }
 

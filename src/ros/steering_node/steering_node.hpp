@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "multipath_localization/LocalizationState.h"
+#include "multipath_localization/guidance/command_limiter.hpp"
 #include "multipath_localization/guidance/waypoint_file.hpp"
 #include "multipath_localization/guidance/waypoint_mission.hpp"
 #include "ros/steering_node/steering_settings.hpp"
@@ -53,8 +54,12 @@ class SteeringNode {
   Answer save();
   void watch();
   void drive();
+  /// On to a stand, by what the last pose asked for, with poses or without.
+  void brake(const ros::Time& now);
   /// Whether it stands for long enough: zero for ever would fight with who drives by hand.
   bool leaves_to_others();
+  /// Since the last command [s]; no stop waits for a clock that stands still.
+  double step_to(const ros::Time& now);
   void publish(const MotionCommand& command, const ros::Time& now);
   void report(const std::string& status);
   /// By its stamp, or, where that is longer, since it arrived: a clock that stands still ages nothing. NaN
@@ -66,13 +71,20 @@ class SteeringNode {
   std::optional<WaypointList> recording_;  ///< these and more, until they are saved
   std::optional<LocalFrame> origin_;       ///< of map, when known
   WaypointMission mission_;
+  CommandLimiter limiter_;
+  ros::Time commanded_;  ///< when the last command left
+  ros::SteadyTime commanded_steady_;
   Pose2 pose_;
+  double sigma_ = 0.0;    ///< of the position to a side [m]
   ros::Time pose_stamp_;  ///< zero before the first pose
   ros::SteadyTime pose_arrived_;
   ros::SteadyTime standing_since_;  ///< by order; zero while it is to drive
+  bool stopping_ = false;           ///< braking to a stand
+  bool urgent_ = false;             ///< that, because the pose must not be driven by
   Trust trust_ = Trust::kNotReady;
   std::string status_;
   double progress_ = -1.0;
+  bool path_shown_ = false;  ///< by the markers, not the lines between waypoints
 
   ros::Publisher steering_, cmd_vel_, status_out_, progress_out_, markers_;
   ros::Subscriber pose_in_, state_in_, origin_in_, waypoints_in_, clicked_point_in_;

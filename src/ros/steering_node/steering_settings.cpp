@@ -21,6 +21,7 @@ SteeringSettings SteeringSettings::from(const YAML::Node& source) {
     settings.waypoints.points = load_points(parameters["waypoints"], "waypoints");
     parameters.remove("waypoints");
   }
+  WaypointFollowerParameters::refuse_former(parameters);
   load(parameters, settings.parameters);
   const std::string& file = settings.parameters.waypoint_file;
   if (file.empty()) return settings;

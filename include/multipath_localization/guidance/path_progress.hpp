@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "multipath_localization/core/pose.hpp"
+#include "multipath_localization/guidance/path.hpp"
+
+namespace multipath_localization {
+
+/// When a waypoint counts as passed.
+struct PassingRule {
+  double radius;              ///< this near to it [m]
+  double width;               ///< or this far aside at most where the line through it is crossed [m]
+  bool at_end;                ///< the last waypoint is one to stop at, not one to come by
+  double tightest_curvature;  ///< the base can drive [1/m]
+};
+
+/// Where a base is on the path through waypoints, and which of these it has passed.
+///
+/// A waypoint is passed within `radius` of it, or by crossing the line through it that is perpendicular to
+/// the way there, at most `width` or `radius` aside, or by being so near to what prolongs that way beyond it,
+/// or within `radius` of the path beyond it. One to stop at is passed by crossing that line, or where it no
+/// longer lies ahead within `radius`: that is as near as the base comes.
+class PathProgress {
+ public:
+  /// The path through `vertices` in map [m], of which the `first` ones, one at least, lie behind, for a base
+  /// at `position`.
+  PathProgress(std::vector<Eigen::Vector2d> vertices, std::size_t first, const PassingRule& rule,
+               const Eigen::Vector2d& position);
+
+  /// Follows the base to where it is now; whether it passes the next waypoint there.
+  bool passes(const Pose2& pose);
+  void pass_next();  ///< goes on to the waypoint after the next
+
+  [[nodiscard]] const Path& path() const { return path_; }
+  [[nodiscard]] double station() const { return station_; }  ///< of the base, along the path [m]
+  [[nodiscard]] std::size_t left() const { return vertices_.size() - next_; }  ///< vertices to be passed
+  [[nodiscard]] const Eigen::Vector2d& position() const { return position_; }  ///< of the base, last
+  [[nodiscard]] bool done() const { return left() == 0; }
+  /// How far the base is from the path, prolonged beyond its end [m].
+  [[nodiscard]] double deviation(const Eigen::Vector2d& position) const;
+  /// The last places before the next waypoint that bend the path: two, or one where there is but one.
+  [[nodiscard]] std::vector<Eigen::Vector2d> behind() const;
+
+ private:
+  void follow(const Eigen::Vector2d& position);
+  [[nodiscard]] std::size_t bend_before(std::size_t vertex) const;
+  [[nodiscard]] bool crossed(const Eigen::Vector2d& beyond) const;
+  [[nodiscard]] bool arrived(const Pose2& pose) const;
+
+  std::vector<Eigen::Vector2d> vertices_;
+  std::size_t next_;
+  PassingRule rule_;
+  Path path_;
+  double station_;
+  double earliest_ = 0.0;  ///< station that the base does not fall back behind: of a cusp [m]
+  Eigen::Vector2d position_;
+};
+
+}  // namespace multipath_localization

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "multipath_localization/guidance/path.hpp"
+
+namespace multipath_localization {
+
+/// What a base may do along a path.
+struct SpeedLimits {
+  double cruise_speed;          ///< [m/s]
+  double lateral_acceleration;  ///< [m/s^2]
+  double deceleration;          ///< [m/s^2]
+  double tightest_curvature;    ///< it can drive; tighter bends of the path are driven as this one [1/m]
+};
+
+/// The speed along a path: the cruise speed, less in its bends by their lateral acceleration, and before
+/// slower stretches and the end by what braking allows.
+class SpeedProfile {
+ public:
+  /// `end_speed` is that at the end of the path [m/s].
+  SpeedProfile(const Path& path, const SpeedLimits& limits, double end_speed);
+
+  /// `s` [m] along the path it was made for; before its beginning, that there [m/s].
+  [[nodiscard]] double at(const Path& path, double s) const;
+
+ private:
+  /// Of one piece of the path.
+  struct Stretch {
+    double limit;       ///< [m/s]
+    double exit_speed;  ///< at its end [m/s]
+  };
+
+  double deceleration_;
+  std::vector<Stretch> stretches_;
+};
+
+}  // namespace multipath_localization

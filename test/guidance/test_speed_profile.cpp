@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "multipath_localization/guidance/speed_profile.hpp"
+
+namespace multipath_localization {
+namespace {
+
+const SpeedLimits kLimits{3.0, 1.0, 0.5, 1.0};
+
+Path hook() { return Path({{0.0, 0.0}, {30.0, 0.0}, {30.0, 30.0}}, 1.0); }
+
+TEST(SpeedProfile, KeepsTheLateralAccelerationInBends) {
+  const Path path = hook();
+  const SpeedProfile speed(path, kLimits, 0.0);
+  const double bend = path.station(1);
+  EXPECT_NEAR(speed.at(path, bend) * speed.at(path, bend) * path.at(bend).curvature, 1.0, 1e-9);
+  EXPECT_EQ(speed.at(path, 5.0), 3.0);
+}
+
+TEST(SpeedProfile, BrakesForBendsAndTheEndAndNeverHarder) {
+  const Path path = hook();
+  const SpeedProfile speed(path, kLimits, 0.0);
+  EXPECT_NEAR(speed.at(path, path.length()), 0.0, 1e-9);
+  constexpr double kStep = 0.01;
+  for (double s = 0.0; s + kStep < path.length(); s += kStep) {
+    const double now = speed.at(path, s);
+    const double next = speed.at(path, s + kStep);
+    ASSERT_LE(now * now - next * next, 2.0 * kLimits.deceleration * kStep + 1e-9) << s;
+    ASSERT_LE(now, kLimits.cruise_speed);
+  }
+}
+
+TEST(SpeedProfile, GoesByTheBaseWhereItCannotFollowTheBend) {
+  const Path path({{0.0, 0.0}, {10.0, 0.0}, {0.0, 0.5}}, 0.2);
+  const SpeedProfile speed(path, kLimits, 3.0);
+  ASSERT_GT(std::abs(path.at(path.station(1)).curvature), kLimits.tightest_curvature);
+  EXPECT_NEAR(speed.at(path, path.station(1)), 1.0, 1e-9);
+}
+
+TEST(SpeedProfile, ComesToTheEndAtTheSpeedItIsTold) {
+  const Path path = hook();
+  EXPECT_EQ(SpeedProfile(path, kLimits, 3.0).at(path, path.length()), 3.0);
+  EXPECT_GT(SpeedProfile(path, kLimits, 0.0).at(path, -1.0), 0.0);
+  const Path place({{1.0, 1.0}}, 1.0);
+  EXPECT_EQ(SpeedProfile(place, kLimits, 0.0).at(place, 0.0), 0.0);
+}
+
+}  // namespace
+}  // namespace multipath_localization
