@@ -14,9 +14,9 @@
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/localization/gyro_turn.hpp"
 #include "multipath_localization/localization/mirror_check.hpp"
-#include "multipath_localization/localization/odometry_history.hpp"
 #include "multipath_localization/localization/receiver_covariance.hpp"
 #include "multipath_localization/localization/standstill.hpp"
+#include "multipath_localization/models/motion/odometry_history.hpp"
 
 namespace multipath_localization {
 

@@ -13,15 +13,20 @@ constexpr double kLostYaw = 0.5;  // sigma of one that cannot: twice, so that th
 constexpr double kConfirmingWay =
     10.0;  // a metre of error of a fix is a known heading's sigma over half of it [m]
 
+constexpr double kWayByVelocity =
+    1.0;  // a heading that velocities tell wants no more than that they go on doing so [m]
+
 }  // namespace
 
-AlignmentMonitor::AlignmentMonitor(bool confirmed) : way_(confirmed ? kConfirmingWay : 0.0) {}
+AlignmentMonitor::AlignmentMonitor(bool confirmed)
+    : way_(confirmed ? kConfirmingWay : 0.0), wanted_(kConfirmingWay) {}
 
-void AlignmentMonitor::update(double way, double yaw_variance) {
+void AlignmentMonitor::update(double way, double yaw_variance, bool by_velocity) {
   way_ += way;
-  aligned_ = way_ >= kConfirmingWay && yaw_variance < square(aligned_ ? kLostYaw : kKnownYaw);
+  wanted_ = by_velocity ? kWayByVelocity : kConfirmingWay;
+  aligned_ = (aligned_ || way_ >= wanted_) && yaw_variance < square(aligned_ ? kLostYaw : kKnownYaw);
 }
 
-double AlignmentMonitor::way_left() const { return std::max(0.0, kConfirmingWay - way_); }
+double AlignmentMonitor::way_left() const { return std::max(0.0, wanted_ - way_); }
 
 }  // namespace multipath_localization::multipath

@@ -9,8 +9,9 @@ class AlignmentMonitor {
   /// Starts at a pose that counts as confirmed, or at none or a doubtful one.
   explicit AlignmentMonitor(bool confirmed);
 
-  /// Fixes were weighed over a way of `way` [m]; the heading has that variance [rad^2] now.
-  void update(double way, double yaw_variance);
+  /// Fixes were weighed over a way of `way` [m]; the heading has that variance [rad^2] now, and velocities of
+  /// a receiver have told it or not.
+  void update(double way, double yaw_variance, bool by_velocity);
 
   [[nodiscard]] bool aligned() const { return aligned_; }
   /// Driving that is wanted at least until then [m].
@@ -18,6 +19,7 @@ class AlignmentMonitor {
 
  private:
   double way_ = 0.0;  ///< over which fixes were weighed [m]
+  double wanted_;     ///< of that [m]
   bool aligned_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "estimators/multipath/log_normal.hpp"
 #include "estimators/multipath/wheel_fault.hpp"
 #include "multipath_localization/core/covariance.hpp"
 #include "support/numbers.hpp"
@@ -26,24 +27,17 @@ constexpr double kWrongPoseRate = 3e-4;  // [1/s]
 constexpr double kLostRate = 1e-4;       // of hypotheses that are wrong in a way no other covers [1/s]
 // Of odometry alone, in a way its law does not tell: else a receiver held to begin wrong could never win.
 constexpr double kLostInGap = 0.05;
-constexpr double kLongGap = 30.0;                 // in which that may have happened [s]
-constexpr double kNearLost = 6.0;                 // [m]
-constexpr double kFarLost = 600.0;                // [m]
-constexpr double kLostHeadingVariance = 0.1;      // [rad^2]
-constexpr double kShiftedHeadingVariance = 0.01;  // [rad^2]
-constexpr double kMostDeclaredInfluence = 10.0;   // of a worse sigma: on shadows, and against their end
-constexpr double kMostEntry = 0.5;                // probability of entry at one fix
+constexpr double kLongGap = 30.0;                // in which that may have happened [s]
+constexpr double kNearLost = 6.0;                // [m]
+constexpr double kFarLost = 600.0;               // [m]
+constexpr double kMostDeclaredInfluence = 10.0;  // of a worse sigma: on shadows, and against their end
+constexpr double kSeenNoise =
+    0.1;  // of velocities over a second, those that turn out reflected among them [m/s]
+constexpr double kMostEntry = 0.5;  // probability of entry at one fix
 // Whatever a float was off by in a shadow, wrong ambiguities are off by something else.
 constexpr double kChangeAnew = 0.5;
 
 constexpr std::size_t kMostExplanations = 7;
-
-double log_normal(const Vector2d& v, const Matrix2d& S) {
-  const double determinant = S(0, 0) * S(1, 1) - S(0, 1) * S(0, 1);
-  const double squared =
-      (S(1, 1) * v.x() * v.x() - 2.0 * S(0, 1) * v.x() * v.y() + S(0, 0) * v.y() * v.y()) / determinant;
-  return -0.5 * (squared + std::log(determinant)) - std::log(2.0 * kPi);
-}
 
 double probability(double rate, double duration) { return -std::expm1(-rate * duration); }
 
@@ -94,7 +88,9 @@ class Explainer {
   ShadowLaw next_shadow_;
   Matrix2d outlier_;
   WheelFault fault_;
-  Matrix2d unseen_;  // covariance of the unseen motion [m^2]
+  double unseen_time_;                      // without velocities of the receiver [s]
+  Vector2d unseen_way_ = Vector2d::Zero();  // beyond that of the wheels, by these [m]
+  Matrix2d unseen_;                         // covariance of the motion that the wheels have not seen [m^2]
   double fault_probability_ = 0.0;
   double declared_influence_;
   double log_stay_ = 0.0;
@@ -124,7 +120,13 @@ Explainer::Explainer(const Hypothesis& hypothesis, const Sighting& sighting, Ran
   const bool failing = h_.wheel_fault.any();
   fault_ = failing ? h_.wheel_fault : draw_wheel_fault(random_);
   fault_probability_ = failing ? fault_goes_on(z_.duration, z_.standing) : z_.fault_probability;
-  unseen_ = unseen_motion(h_, fault_, z_.usual_speed, z_.duration);
+  // Velocities may lie as well as wheels: half of the hypotheses go by neither.
+  const double seen_time =
+      h_.velocity.seen_time > 0.0 && random_.uniform() < 0.5 ? h_.velocity.seen_time : 0.0;
+  if (seen_time > 0.0) unseen_way_ = h_.velocity.unseen;
+  unseen_time_ = std::max(0.0, z_.duration - seen_time);
+  unseen_ = unseen_motion(h_, fault_, z_.usual_speed, unseen_time_) +
+            square(kSeenNoise * seen_time) * Matrix2d::Identity();
 
   const Vector2d lever = rotation(h_.mean(kYaw)) * z_.fix.antenna_in_base;
   const Vector2d by_yaw(-lever.y(), lever.x());
@@ -244,7 +246,7 @@ double Explainer::log_likelihood(const Explanation& e) const {
          square(c) * h_.covariance.block<2, 2>(kShadowX, kShadowX);
   }
   S.diagonal().array() += e.slow.variance + (e.in_shadow ? e.shadow.variance : 0.0) + e.displaced;
-  if (e.fault.any()) S += unseen_;
+  if (e.fault.any()) innovation -= unseen_way_, S += unseen_;
   return log_normal(innovation, S);
 }
 
@@ -274,16 +276,14 @@ void Explainer::apply(const Explanation& chosen, Hypothesis& h) {
   h.in_shadow = chosen.in_shadow && !chosen.moved_by_bias;
   if (z_.refixed && h.in_shadow && held(random_)) hold(h.shadow_law, random_);
   h.level = h.in_shadow ? shadow_level_ : z_.level;
-  h.wheel_fault = chosen.fault;
-  if (chosen.fault.any()) move_unseen(h, z_.usual_speed, z_.duration, z_.turns_by_gyro, random_);
-  if (chosen.displaced > 0.0) {
-    h.covariance.topLeftCorner<2, 2>().diagonal().array() += chosen.displaced;
-    if (random_.uniform() < 0.5) {
-      h.renew_heading(2.0 * kPi * random_.uniform(), kLostHeadingVariance);
-    } else {
-      h.covariance(kYaw, kYaw) += kShiftedHeadingVariance;
-    }
+  if (chosen.fault.any()) {
+    const double turning = h.wheel_fault.any() ? unseen_time_ : z_.duration;
+    h.wheel_fault = chosen.fault;
+    fail(h, unseen_way_, unseen_, z_.turns_by_gyro ? 0.0 : turning, random_);
   }
+  h.wheel_fault = chosen.fault;
+  h.velocity.forget_way();
+  if (chosen.displaced > 0.0) lose(h, chosen.displaced, random_);
   h.correct(z_.fix, chosen.noise);
 }
 

@@ -10,6 +10,8 @@ namespace multipath_localization::multipath {
 namespace {
 
 constexpr int kOdometryErrors = kSlowX - kScale;
+constexpr double kLostHeadingVariance = 0.1;      // [rad^2]
+constexpr double kShiftedHeadingVariance = 0.01;  // [rad^2]
 constexpr double kRestNoise = 0.003;   // of a gyro at rest with a running engine beside it [rad/sqrt(s)]
 constexpr double kImuBiasWalk = 2e-5;  // of a cheap gyro while it warms up [rad/s/sqrt(s)]
 
@@ -48,7 +50,9 @@ void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noi
   covariance.leftCols<3>() += covariance.middleCols<kCauses>(kYaw).eval() * J.transpose();
   Eigen::Matrix3d unsure = odometry.noise(law.odometry_noise());
   if (law.blind) unsure += odometry.untold_turns();
-  covariance.topLeftCorner<3, 3>() += turned * unsure * turned.transpose();
+  const Eigen::Matrix3d noise_in_map = turned * unsure * turned.transpose();
+  covariance.topLeftCorner<3, 3>() += noise_in_map;
+  velocity.way_noise += noise_in_map.topLeftCorner<2, 2>();
   const double walk = std::exp(2.0 * law.log_walk) * odometry.moving_time();
   covariance(kScale, kScale) += square(noise.scale_walk) * walk;
   covariance(kGyroBias, kGyroBias) += square(noise.gyro_bias_walk) * walk;
@@ -107,6 +111,16 @@ void Hypothesis::correct(const GnssFix& fix, const Eigen::Matrix2d& noise) {
   mean(kYaw) = wrap_angle(mean(kYaw));
   covariance -= K * PH.transpose();
   covariance = (0.5 * (covariance + covariance.transpose())).eval();
+}
+
+void lose(Hypothesis& h, double variance, RandomStream& random) {
+  h.covariance.topLeftCorner<2, 2>().diagonal().array() += variance;
+  if (random.uniform() < 0.5) {
+    h.renew_heading(2.0 * kPi * random.uniform(), kLostHeadingVariance);
+    h.velocity.seeks_course = true;
+  } else {
+    h.covariance(kYaw, kYaw) += kShiftedHeadingVariance;
+  }
 }
 
 void move_by_bias(Hypothesis& h) {

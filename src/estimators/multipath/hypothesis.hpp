@@ -4,6 +4,7 @@
 
 #include "estimators/multipath/error_laws.hpp"
 #include "estimators/multipath/odometry_sum.hpp"
+#include "estimators/multipath/velocity_law.hpp"
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/models/motion/preintegrated_odometry.hpp"
 
@@ -49,6 +50,7 @@ struct Hypothesis {
   bool in_shadow = false;
   ShadowLaw shadow_law;
   WheelFault wheel_fault;
+  VelocityLaw velocity;
 
   [[nodiscard]] Pose2 pose() const { return pose_of(mean); }
   /// What a fix is off by, its white noise apart [m].
@@ -73,6 +75,10 @@ struct Hypothesis {
 
 /// Scales two components of the state from `first` on by `keep` and adds a variance to each.
 void decay(Hypothesis& hypothesis, StateIndex first, double keep, double variance);
+
+/// Loses the position, of which the variance of an axis grows by that [m^2], and the heading, which is any or
+/// unsure.
+void lose(Hypothesis& hypothesis, double variance, RandomStream& random);
 
 /// Holds the fixes right and the position wrong by the bias of the shadow, which is none then.
 void move_by_bias(Hypothesis& hypothesis);

@@ -20,6 +20,7 @@ constexpr double kOpenEvidenceTime = 1.0;      // [s]
 constexpr double kShadowEvidenceTime = 5.0;    // [s]
 constexpr double kLevelFactor = 1.5;           // a declared sigma that changes by less is the same one
 constexpr double kLeastEffective = 0.5;        // share of the hypotheses, below it they are resampled
+constexpr std::size_t kMostBesides = 2;        // times as many as wanted, of hypotheses that doubt velocities
 constexpr double kKnownHeadingVariance = 0.1;  // fewer hypotheses do once the heading is known [rad^2]
 constexpr double kGapTurnRate = 0.3;           // while odometry is missing, turns may add up to this [rad/s]
 constexpr double kMostGapTurn = 3.0;           // [rad]
@@ -34,6 +35,7 @@ void HypothesisCloud::clear() {
   mixture_ = {};
   level_.reset();
   step_ = 0;
+  velocity_step_ = 0;
 }
 
 void HypothesisCloud::propagate(const OdometrySum& odometry) {
@@ -123,7 +125,10 @@ void HypothesisCloud::take_in(const HypothesisCloud& other, double share) {
   const std::size_t count = hypotheses_.size();
   for (Hypothesis& h : hypotheses_) h.log_weight += std::log1p(-share);
   hypotheses_.insert(hypotheses_.end(), other.hypotheses_.begin(), other.hypotheses_.end());
-  for (std::size_t i = count; i < hypotheses_.size(); ++i) hypotheses_[i].log_weight += std::log(share);
+  for (std::size_t i = count; i < hypotheses_.size(); ++i) {
+    hypotheses_[i].log_weight += std::log(share);
+    hypotheses_[i].velocity.seeks_course = false;
+  }
   refresh();
   resample(count);
 }
@@ -133,11 +138,14 @@ void HypothesisCloud::resample() {
   const std::size_t most = hypotheses_.size();
   const auto wanted = static_cast<std::size_t>(settings_.particles);
   const std::size_t count = settled ? wanted : std::max(most, wanted);
-  if (count == most && mixture_.effective_size > kLeastEffective * static_cast<double>(most)) return;
+  const bool effective = mixture_.effective_size > kLeastEffective * static_cast<double>(count);
+  if (effective && (count == most || (velocity_step_ > 0 && settled && most <= kMostBesides * wanted)))
+    return;
   resample(count);
 }
 
 void HypothesisCloud::resample(std::size_t count) {
+  if (velocity_step_ > 0) return resample_by_kind(kinds(count));
   std::vector<double> weights;
   weights.reserve(hypotheses_.size());
   for (const Hypothesis& h : hypotheses_) weights.push_back(std::exp(h.log_weight));
@@ -170,6 +178,7 @@ void HypothesisCloud::refresh() {
     m.slow_variance += w * square(h.law.slow_sigma() * h.level);
     m.shadow += h.in_shadow ? w : 0.0;
     m.wheel_fault += h.wheel_fault.any() ? w : 0.0;
+    m.velocity += h.velocity.believed && !h.velocity.outlier ? w : 0.0;
   }
   m.mean(kYaw) = std::atan2(heading.y(), heading.x());
   m.odometry_noise = {std::exp(2.0 * log_noise(0)), std::exp(2.0 * log_noise(1)),

@@ -6,6 +6,7 @@
 
 #include "estimators/multipath/explanations.hpp"
 #include "estimators/multipath/hypothesis.hpp"
+#include "estimators/multipath/velocity_block.hpp"
 #include "multipath_localization/core/estimate.hpp"
 
 namespace multipath_localization::multipath {
@@ -21,6 +22,7 @@ struct Mixture {
   NoiseFactors odometry_noise;
   double shadow = 0.0;       ///< probability of a shadow
   double wheel_fault = 0.0;  ///< probability of wheels that fail
+  double velocity = 0.0;     ///< probability that the last velocities of a receiver are what they seem
   double agreement = 1.0;    ///< weight of those within kHeadingReach of the mean heading
   double effective_size = 1.0;
 };
@@ -63,6 +65,9 @@ class HypothesisCloud {
   /// How much of a fix `duration` [s] after the last one counts as evidence.
   [[nodiscard]] double evidence_share(double duration) const;
 
+  /// Weighs velocities among the hypotheses that believe them, equation (21).
+  void weigh(const VelocitySighting& sighting);
+
   /// Takes in the hypotheses of another cloud as a `share` of the whole.
   void take_in(const HypothesisCloud& other, double share);
 
@@ -70,16 +75,25 @@ class HypothesisCloud {
   [[nodiscard]] const Mixture& mixture() const { return mixture_; }
 
  private:
+  /// How many hypotheses believe the velocities, and how many do not.
+  struct Kinds {
+    std::size_t believing = 0;
+    std::size_t doubting = 0;
+  };
   void spread(std::size_t count);
   void spread_about(const GnssFix& fix);
   double weigh_by(const std::vector<Evidence>& evidence, double duration, bool standing);
   void refresh();
   void resample();
   void resample(std::size_t count);
+  void draw_velocity_laws(bool near_start);
+  [[nodiscard]] Kinds kinds(std::size_t count) const;
+  void resample_by_kind(const Kinds& wanted);
 
   CloudSettings settings_;
   std::uint64_t seed_;
   std::uint32_t step_ = 0;
+  std::uint32_t velocity_step_ = 0;  ///< 0 without a velocity
   std::vector<Hypothesis> hypotheses_;
   Mixture mixture_;
   std::optional<double> level_;  ///< declared sigma that holds [m]

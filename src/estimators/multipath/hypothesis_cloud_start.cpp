@@ -67,6 +67,7 @@ void HypothesisCloud::spread(std::size_t count) {
 void HypothesisCloud::spread_about(const GnssFix& fix) {
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     hypotheses_[i].renew_heading(ring_heading(0.0, kPi, i % kHeadings), square(ring_sigma(kPi)));
+    hypotheses_[i].velocity.seeks_course = true;
     hypotheses_[i].place_at(fix);
   }
   refresh();

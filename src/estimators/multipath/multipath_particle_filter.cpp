@@ -8,6 +8,7 @@
 #include "estimators/multipath/fix_block.hpp"
 #include "estimators/multipath/hypothesis_cloud.hpp"
 #include "estimators/multipath/rival.hpp"
+#include "estimators/multipath/velocity_block.hpp"
 #include "estimators/multipath/wheel_watch.hpp"
 #include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/core/fix_check.hpp"
@@ -29,7 +30,8 @@ constexpr double kFixed = 0.1;  // [m]
 constexpr double kFloat = 0.3;  ///< and more than that before [m]
 /// How soon odometry forgets a position that corrected fixes gave [s].
 constexpr double kCorrectedMemory = 60.0;
-constexpr double kShortestTime = 1e-3;                     ///< between two fixes of one stamp [s]
+constexpr double kBelieved = 0.9;       ///< probability of velocities that tell a heading at once
+constexpr double kShortestTime = 1e-3;  ///< between two fixes of one stamp [s]
 constexpr std::uint64_t kRivalSeed = 0x9E3779B97F4A7C15U;  ///< its draws are not those of the cloud
 constexpr double kLeastSigma = 1e-3;  ///< no receiver is better than that, whatever it declares [m]
 
@@ -50,33 +52,6 @@ GnssFix with_proper_covariance(GnssFix fix) {
 
 }  // namespace
 
-void MultipathParticleFilterParameters::fields(ParameterVisitor& field) {
-  tunable(field);
-  field("turn_scale_sigma", turn_scale_sigma, {0.0, 0.5}, "1",
-        "1 sigma of the unknown scale error of turns at start");
-  field.group("odometry_jump", odometry_jump, "when the wheel odometry is suspected of a fault");
-}
-
-void MultipathParticleFilterParameters::tunable(ParameterVisitor& field) {
-  field("particles", particles, {20, 100000}, "1",
-        "hypotheses, each with a Kalman filter of its own; more until the heading is known");
-  field("largest_bias", largest_bias, {1.0, 1e4}, "m", "of fixes in a shadow, about the width of a street");
-  field("time_between_shadows", time_between_shadows, {1.0, 1e5}, "s",
-        "of driving under open sky before the next house");
-  field("stamp_sigma", stamp_sigma, {0.0, 10.0}, "s",
-        "1 sigma of what the stamps of fixes and odometry may be apart: at speed it makes the pose less "
-        "certain along the way");
-  field("sigma_factor", sigma_factor, {1.0, 10.0}, "1",
-        "published standard deviations of the pose in those of the hypotheses: no model of errors is exact");
-  field("uncorrected_sigma", uncorrected_sigma, {0.0, 100.0}, "m",
-        "1 sigma of what all fixes of a drive may be off by alike where the receiver gets no corrections "
-        "(NavSatStatus 0): ionosphere and orbits, which nothing on the robot sees; added to the published "
-        "position; 0 for one with corrections whose driver does not tell");
-  field("position_sigma_floor", position_sigma_floor, {0.0, 100.0}, "m",
-        "added to the published position: no covariance is believed below it");
-  field.group("odometry", odometry, "how far the wheel odometry can be trusted, within a factor of two");
-}
-
 /// Pose of the base in map and covariance of x, y, yaw [m, rad].
 struct Prediction {
   Pose2 pose;
@@ -95,6 +70,13 @@ struct MultipathParticleFilter::State {
   /// The pose of now in that of when the hypotheses were last moved.
   [[nodiscard]] Pose2 moved() const {
     return {odometry.displacement().x(), odometry.displacement().y(), odometry.turn()};
+  }
+  Innovation take(const GnssVelocity& velocity) {
+    Innovation result = refused(velocities.add(velocity).value_or(Reason::kAccepted));
+    if (velocities_due()) weigh_velocities();
+    const bool contradicted = velocities_weighed && cloud.mixture().velocity < 0.5;
+    if (result.accepted() && contradicted) result.reason = Reason::kGated;
+    return result;
   }
   /// Takes the fixes that wait along to where the base is now.
   void carry_block() {
@@ -124,6 +106,17 @@ struct MultipathParticleFilter::State {
     block_moved = Pose2{};
   }
   void weigh(const MultipathParticleFilterParameters& parameters);
+  void weigh_velocities();
+  /// After that way since the last fixes were weighed [m].
+  void judge_alignment(double way) {
+    const multipath::Mixture& mixture = cloud.mixture();
+    alignment.update(way - counted_way, mixture.covariance(2, 2), mixture.velocity > kBelieved);
+    counted_way = way;
+  }
+  /// Whether the velocities that wait are to be weighed now: at once while they tell the heading.
+  [[nodiscard]] bool velocities_due() const {
+    return !cloud.empty() && !velocities.empty() && (velocities.age() >= kBlock || !alignment.aligned());
+  }
   /// A position is known as well as corrections make it, and for a while after they are gone.
   void note_corrections(const GnssFix& fix, double duration, double uncorrected_sigma) {
     const double variance = fix.status == FixStatus::kSingle ? square(uncorrected_sigma) : 0.0;
@@ -135,7 +128,9 @@ struct MultipathParticleFilter::State {
   multipath::AlignmentMonitor alignment;
   multipath::OdometrySum odometry;  ///< since the hypotheses were last moved
   multipath::FixBlock block;
-  Pose2 block_moved;  ///< the part of `moved` that the block has been taken along
+  multipath::VelocityBlock velocities;
+  bool velocities_weighed = false;  ///< since the start
+  Pose2 block_moved;                ///< the part of `moved` that the block has been taken along
   multipath::WheelWatch wheels;
   FixCheck fix_check;
   double now = 0.0;
@@ -144,12 +139,14 @@ struct MultipathParticleFilter::State {
   double reacquired = -kReacquisition;  ///< when fixes came back after an outage [s]
   double common_variance = 0.0;         ///< of what all fixes are off by alike, an axis [m^2]
   double fixes_in_block = 1.0;          ///< the last one: so much whiter is its mean than each
+  double counted_way = 0.0;             ///< of the wheels', by the alignment [m]
   double speed = 0.0;                   ///< of the last increment, over ground [m/s]
 };
 
 void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParameters& parameters) {
   multipath::Sighting sighting;
   sighting.turns_by_gyro = odometry.turns_by_gyro();
+  if (!velocities.empty()) weigh_velocities();
   flush();
   fixes_in_block = static_cast<double>(block.size());
   sighting.fix = block.take(cloud.mixture().mean(multipath::kYaw));
@@ -171,7 +168,20 @@ void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParamete
   note_corrections(sighting.fix, sighting.duration, parameters.uncorrected_sigma);
   last_weighed = now;
   restart_odometry();
-  alignment.update(way, cloud.mixture().covariance(2, 2));
+  judge_alignment(way);
+  counted_way = 0.0;
+}
+
+void MultipathParticleFilter::State::weigh_velocities() {
+  auto sighting = velocities.take();
+  if (!sighting) return;
+  sighting->usual_speed = wheels.usual_speed();
+  doubt_wheels();
+  flush();
+  cloud.weigh(*sighting);
+  velocities_weighed = true;
+  restart_odometry();
+  judge_alignment(wheels.way());
 }
 
 Prediction MultipathParticleFilter::State::predicted() const {
@@ -198,7 +208,7 @@ void MultipathParticleFilter::start(const std::optional<PosePrior>& prior) {
   if (!usable_prior) return;
   state_->cloud.start(*prior);
   state_->now = state_->last_weighed = prior->stamp;
-  state_->alignment.update(0.0, state_->cloud.mixture().covariance(2, 2));
+  state_->judge_alignment(0.0);
 }
 
 void MultipathParticleFilter::tune(ParameterVisitor& field) {
@@ -211,6 +221,7 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   if (!usable(u)) return;
   state_->now = u.stamp;
   state_->speed = ground_speed(u);
+  state_->velocities.move(state_->odometry.without_turn_errors(u));
   if (state_->cloud.empty()) return;
   state_->odometry.add(u);
   state_->wheels.add(u);
@@ -220,6 +231,7 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
 }
 
 Innovation MultipathParticleFilter::update(const Measurement& z) {
+  if (const auto* velocity = std::get_if<GnssVelocity>(&z)) return state_->take(*velocity);
   const auto* declared = std::get_if<GnssFix>(&z);
   if (declared == nullptr) return refused(Reason::kUnused);
   if (const auto reason = state_->fix_check.defect(*declared)) return refused(*reason);
@@ -228,9 +240,11 @@ Innovation MultipathParticleFilter::update(const Measurement& z) {
   result.reason = Reason::kAccepted;
   if (state_->cloud.empty()) {
     state_->cloud.start(fix);
+    state_->velocities.start(fix.antenna_in_base);
     state_->note_corrections(fix, kCorrectedMemory, parameters_.uncorrected_sigma);
     state_->last_weighed = state_->now;
     state_->restart_odometry();
+    if (state_->velocities_due()) state_->weigh_velocities();
     return result;
   }
   const multipath::Mixture& mixture = state_->cloud.mixture();

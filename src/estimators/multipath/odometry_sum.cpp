@@ -42,12 +42,17 @@ void OdometrySum::rest(const OdometryIncrement& u) {
   rest_turn_ += u.duration * u.rate_at_rest;
 }
 
-OdometryIncrement OdometrySum::corrected(OdometryIncrement u) const {
+OdometryIncrement OdometrySum::without_turn_errors(OdometryIncrement u) const {
   if (u.turn_source == TurnSource::kGyro) {
     u.yaw_rate -= errors_.imu_bias;
   } else {
     u.yaw_rate = u.yaw_rate * (1.0 - errors_.turn_scale) - errors_.gyro_bias - errors_.curvature * u.speed;
   }
+  return u;
+}
+
+OdometryIncrement OdometrySum::corrected(OdometryIncrement u) const {
+  u = without_turn_errors(u);
   u.speed *= 1.0 - errors_.scale;
   u.lateral_speed *= 1.0 - errors_.scale;
   return u;

@@ -38,6 +38,8 @@ class OdometrySum {
   void set_noise(const OdometryNoise& noise) { noise_ = noise; }
   void restart(const OdometryErrors& errors);
   void add(const OdometryIncrement& u);
+  /// An increment that turns as the robot does by the errors of `restart`, at the speed of its wheels.
+  [[nodiscard]] OdometryIncrement without_turn_errors(OdometryIncrement u) const;
 
   /// Displacement [m] and turn [rad] with the errors of `restart`.
   [[nodiscard]] const Eigen::Vector2d& displacement() const { return displacement_; }

@@ -36,9 +36,19 @@ Eigen::Matrix2d unseen_motion(const Hypothesis& hypothesis, const WheelFault& fa
          (kAcross * Eigen::Matrix2d::Identity() + (1.0 - kAcross) * ahead * ahead.transpose());
 }
 
+void fail(Hypothesis& h, const Eigen::Vector2d& way, const Eigen::Matrix2d& unseen, double turning,
+          RandomStream& random) {
+  h.mean.head<2>() += way;
+  h.covariance.topLeftCorner<2, 2>() += unseen;
+  if (turning > 0.0) turn_unseen(h, turning, random);
+}
+
 void move_unseen(Hypothesis& h, double speed, double duration, bool turns_by_gyro, RandomStream& random) {
   h.covariance.topLeftCorner<2, 2>() += unseen_motion(h, h.wheel_fault, speed, duration);
-  if (turns_by_gyro) return;
+  if (!turns_by_gyro) turn_unseen(h, duration, random);
+}
+
+void turn_unseen(Hypothesis& h, double duration, RandomStream& random) {
   const double turn = h.wheel_fault.heading_rate * duration;
   h.mean(kYaw) = wrap_angle(h.mean(kYaw) + turn * random.normal());
   h.covariance(kYaw, kYaw) += square(kLinearTurn * turn);

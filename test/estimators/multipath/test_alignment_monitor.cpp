@@ -8,24 +8,24 @@ namespace {
 TEST(AlignmentMonitor, WantsAWayAndAHeading) {
   AlignmentMonitor monitor(false);
   EXPECT_GT(monitor.way_left(), 5.0);
-  monitor.update(3.0, 0.001);
+  monitor.update(3.0, 0.001, false);
   EXPECT_FALSE(monitor.aligned()) << "too little driving";
-  monitor.update(20.0, 1.0);
+  monitor.update(20.0, 1.0, false);
   EXPECT_EQ(monitor.way_left(), 0.0);
   EXPECT_FALSE(monitor.aligned()) << "the heading is not known";
-  monitor.update(0.0, 0.001);
+  monitor.update(0.0, 0.001, false);
   EXPECT_TRUE(monitor.aligned());
 }
 
 TEST(AlignmentMonitor, StaysAlignedUntilTheHeadingIsLost) {
   AlignmentMonitor monitor(true);
-  monitor.update(0.0, 0.01);
+  monitor.update(0.0, 0.01, false);
   EXPECT_TRUE(monitor.aligned());
-  monitor.update(0.0, 0.1);
+  monitor.update(0.0, 0.1, false);
   EXPECT_TRUE(monitor.aligned()) << "more than it takes, less than is lost";
-  monitor.update(0.0, 0.5);
+  monitor.update(0.0, 0.5, false);
   EXPECT_FALSE(monitor.aligned());
-  monitor.update(0.0, 0.1);
+  monitor.update(0.0, 0.1, false);
   EXPECT_FALSE(monitor.aligned());
 }
 

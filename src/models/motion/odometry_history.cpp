@@ -1,4 +1,4 @@
-#include "multipath_localization/localization/odometry_history.hpp"
+#include "multipath_localization/models/motion/odometry_history.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "../core/pose_near.hpp"
-#include "multipath_localization/localization/odometry_history.hpp"
+#include "multipath_localization/models/motion/odometry_history.hpp"
 
 namespace multipath_localization {
 namespace {

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "estimators/multipath/hypothesis_cloud.hpp"
+#include "estimators/multipath/velocity_explanations.hpp"
+#include "multipath_localization/filters/resampling.hpp"
+#include "support/numbers.hpp"
+
+namespace multipath_localization::multipath {
+
+namespace {
+
+constexpr std::uint64_t kVelocitySeed = 0xD1B54A32D192ED03U;  // draws that fixes alone do not take
+constexpr std::uint32_t kResampling = 0xFFFFFFFEU;            // a stream beside those of the hypotheses
+constexpr double kEvidenceTime = 2.0;                         // velocities are off alike for about that [s]
+constexpr double kDoubted = 0.003;          // of receivers' velocities are of another frame or sign
+constexpr double kDoubtingShare = 0.2;      // of the hypotheses hold that, so that they know all headings
+constexpr std::size_t kMostDoubting = 640;  // ten for each heading
+constexpr double kLeastDoubting = 0.05;     // of the hypotheses, once those that doubt agree on the heading
+constexpr double kAgreedVariance = 0.1;     // of headings that do [rad^2]
+
+/// Variance of the heading within and between those that doubt the velocities [rad^2].
+double heading_variance_of_doubt(const std::vector<Hypothesis>& all) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double total = 0.0;
+  double within = 0.0;
+  for (const Hypothesis& h : all) {
+    if (h.velocity.believed) continue;
+    const double w = std::exp(h.log_weight);
+    total += w;
+    within += w * h.covariance(kYaw, kYaw);
+    sum += w * Eigen::Vector2d(std::cos(h.mean(kYaw)), std::sin(h.mean(kYaw)));
+  }
+  return total > 0.0 ? within / total + 2.0 * (1.0 - std::min(1.0, sum.norm() / total)) : 0.0;
+}
+
+std::size_t part(double share, std::size_t count) {
+  return static_cast<std::size_t>(share * static_cast<double>(count));
+}
+
+}  // namespace
+
+void HypothesisCloud::draw_velocity_laws(bool near_start) {
+  ++velocity_step_;
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    Hypothesis& h = hypotheses_[i];
+    if (h.velocity.drawn) continue;
+    RandomStream random(seed_ ^ kVelocitySeed, velocity_step_, static_cast<std::uint32_t>(i));
+    h.velocity.drawn = true;
+    draw_velocity_errors(h.velocity, random);
+    h.velocity.believed = random.uniform() >= kDoubtingShare;
+    h.velocity.seeks_course = h.velocity.seeks_course && near_start;
+    h.velocity.way_noise.setZero();
+    h.log_weight +=
+        std::log(h.velocity.believed ? (1.0 - kDoubted) / (1.0 - kDoubtingShare) : kDoubted / kDoubtingShare);
+  }
+}
+
+void HypothesisCloud::weigh(const VelocitySighting& sighting) {
+  draw_velocity_laws(sighting.near_start);
+  ++velocity_step_;
+  const double share = std::min(1.0, sighting.duration / kEvidenceTime);
+  std::vector<std::optional<double>> log_density(hypotheses_.size());
+  double highest = std::numeric_limits<double>::lowest();
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    RandomStream random(seed_ ^ kVelocitySeed, velocity_step_, static_cast<std::uint32_t>(i));
+    Hypothesis& h = hypotheses_[i];
+    wander(h.velocity, sighting.duration, random);
+    if (h.velocity.believed) log_density[i] = explain_velocity(h, sighting, random);
+    if (log_density[i]) highest = std::max(highest, *log_density[i] *= share);
+    h.velocity.way_noise.setZero();
+  }
+  const bool heading_known = mixture_.covariance(2, 2) < kAgreedVariance;
+  double before = 0.0;
+  double after = 0.0;
+  double reflected = 0.0;
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+    if (!log_density[i]) continue;
+    const double w = std::exp(hypotheses_[i].log_weight);
+    before += w;
+    reflected += hypotheses_[i].velocity.outlier ? w : 0.0;
+    after += w * std::exp(*log_density[i] - highest);
+  }
+  // What most take for a reflection is no evidence for those few that have lost the heading and agree.
+  const bool tells = after > 0.0 && !(heading_known && reflected > 0.5 * before);
+  const double expected = highest + std::log(after / before);
+  for (std::size_t i = 0; tells && i < hypotheses_.size(); ++i) {
+    if (log_density[i]) hypotheses_[i].log_weight += *log_density[i] - expected;
+  }
+  refresh();
+  resample();
+}
+
+HypothesisCloud::Kinds HypothesisCloud::kinds(std::size_t count) const {
+  std::size_t doubting = 0;
+  double share = 0.0;
+  for (const Hypothesis& h : hypotheses_) {
+    if (h.velocity.believed) continue;
+    ++doubting;
+    share += std::exp(h.log_weight);
+  }
+  if (doubting == hypotheses_.size()) return {0, count};
+  if (!(share > 0.0)) return {count, 0};
+  const bool agreed = heading_variance_of_doubt(hypotheses_) < kAgreedVariance;
+  const bool settled = mixture_.covariance(2, 2) < kAgreedVariance;
+  const std::size_t by_weight = std::min(count - 1, part(share, count));
+  const std::size_t least = agreed ? part(kLeastDoubting, count) : std::min(doubting, kMostDoubting);
+  const std::size_t doubters = std::min(count - 1, std::max(by_weight, least));
+  // Those that do not know the heading yet come on top of the others that do.
+  return {count - (settled && !agreed ? by_weight : doubters), doubters};
+}
+
+void HypothesisCloud::resample_by_kind(const Kinds& wanted) {
+  RandomStream random(seed_ ^ kVelocitySeed, velocity_step_ + step_, kResampling);
+  std::vector<Hypothesis> chosen;
+  chosen.reserve(wanted.believing + wanted.doubting);
+  for (const bool believing : {true, false}) {
+    const std::size_t count = believing ? wanted.believing : wanted.doubting;
+    if (count == 0) continue;
+    std::vector<double> weights;
+    weights.reserve(hypotheses_.size());
+    double share = 0.0;
+    for (const Hypothesis& h : hypotheses_) {
+      weights.push_back(h.velocity.believed == believing ? std::exp(h.log_weight) : 0.0);
+      share += weights.back();
+    }
+    if (!(share > 0.0)) continue;
+    const double log_weight = std::log(share / static_cast<double>(count));
+    for (const std::size_t i : systematic_resampling(weights, count, random.uniform())) {
+      chosen.push_back(hypotheses_[i]);
+      chosen.back().log_weight = log_weight;
+    }
+  }
+  hypotheses_ = std::move(chosen);
+  refresh();
+}
+
+}  // namespace multipath_localization::multipath
