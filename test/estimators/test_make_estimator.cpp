@@ -56,6 +56,15 @@ TEST_P(EveryEstimator, APriorOfOneLongAxisAndAnyHeadingStaysACovariance) {
   }
 }
 
+TEST_P(EveryEstimator, RefusesAsUnusedWhatItDoesNotUseAndNothingElse) {
+  const std::vector<Measurement> empty = {GnssFix{}, DualAntennaFix{}, PseudorangeEpoch{}, GnssVelocity{}};
+  for (const Measurement& z : empty) {
+    const auto estimator = make_estimator(GetParam(), YAML::Node(), 1);
+    estimator->start(std::nullopt);
+    EXPECT_EQ(estimator->update(z).reason == Reason::kUnused, !estimator->uses(z.index())) << z.index();
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(ByName, EveryEstimator, ::testing::ValuesIn(estimator_names()),
                          [](const auto& instance) { return instance.param; });
 

@@ -113,6 +113,9 @@ struct GnssVelocity {
 /// What an estimator can be updated with.
 using Measurement = std::variant<GnssFix, DualAntennaFix, PseudorangeEpoch, GnssVelocity>;
 
+/// Index of each kind in Measurement.
+constexpr std::size_t kFixKind = 0, kDualKind = 1, kEpochKind = 2, kVelocityKind = 3;
+
 double stamp_of(const Measurement& measurement);
 
 /// Where the base was at a stamp [s], in the base of now; nothing where that is not known.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -27,7 +28,10 @@ class Estimator {
   /// Moves on by one odometry increment. A parked robot's has no yaw rate: see Standstill.
   virtual void predict(const OdometryIncrement& u) = 0;
 
-  /// Weighs one measurement; kinds without a model are refused as `unused`.
+  /// Whether there is a model for measurements of that kind, an index of Measurement: by default for fixes.
+  [[nodiscard]] virtual bool uses(std::size_t kind) const { return kind == kFixKind; }
+
+  /// Weighs one measurement; kinds that it does not use are refused as `unused`.
   virtual Innovation update(const Measurement& z) = 0;
 
   /// Shows parameters to a visitor that may change them between two calls. What is known stays; what counts

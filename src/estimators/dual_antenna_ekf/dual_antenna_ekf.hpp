@@ -57,6 +57,7 @@ class DualAntennaEkf : public Estimator {
 
   void start(const std::optional<PosePrior>& prior) override;
   void predict(const OdometryIncrement& u) override;
+  [[nodiscard]] bool uses(std::size_t kind) const override { return kind == kFixKind || kind == kDualKind; }
   Innovation update(const Measurement& z) override;
   [[nodiscard]] PoseEstimate estimate() const override;
   [[nodiscard]] std::vector<Hypothesis> hypotheses() const override;

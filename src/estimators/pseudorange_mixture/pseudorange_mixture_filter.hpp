@@ -59,6 +59,7 @@ class PseudorangeMixtureFilter : public Estimator {
 
   void start(const std::optional<PosePrior>& prior) override;
   void predict(const OdometryIncrement& u) override;
+  [[nodiscard]] bool uses(std::size_t kind) const override { return kind == kEpochKind; }
   Innovation update(const Measurement& z) override;
   [[nodiscard]] PoseEstimate estimate() const override;
   /// Draws from the hypotheses' Gaussians.

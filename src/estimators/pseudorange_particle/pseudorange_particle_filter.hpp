@@ -65,6 +65,7 @@ class PseudorangeParticleFilter : public Estimator {
 
   void start(const std::optional<PosePrior>& prior) override;
   void predict(const OdometryIncrement& u) override;
+  [[nodiscard]] bool uses(std::size_t kind) const override { return kind == kEpochKind; }
   Innovation update(const Measurement& z) override;
   /// `shadow_probability` is the share of the satellites that are taken for reflected.
   [[nodiscard]] PoseEstimate estimate() const override;

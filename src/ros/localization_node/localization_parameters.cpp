@@ -84,14 +84,9 @@ LocalizationSettings LocalizationSettings::from(const YAML::Node& source) {
 }
 
 UsedKinds LocalizationSettings::used_kinds() const {
-  const std::array<Measurement, std::variant_size_v<Measurement>> empty = {
-      GnssFix{}, DualAntennaFix{}, PseudorangeEpoch{}, GnssVelocity{}};
+  const std::unique_ptr<Estimator> estimator = make_estimator();
   UsedKinds used{};
-  for (std::size_t kind = 0; kind < used.size(); ++kind) {
-    const std::unique_ptr<Estimator> estimator = make_estimator();
-    estimator->start(std::nullopt);
-    used[kind] = estimator->update(empty[kind]).reason != Reason::kUnused;
-  }
+  for (std::size_t kind = 0; kind < used.size(); ++kind) used[kind] = estimator->uses(kind);
   return used;
 }
 

@@ -61,8 +61,7 @@ struct LocalizationSettings {
 
   [[nodiscard]] std::unique_ptr<Estimator> make_estimator() const;
 
-  /// Whether the estimator has a model for each kind of GnssMessage, by asking one about an empty
-  /// measurement.
+  /// Whether the estimator has a model for each kind of GnssMessage.
   [[nodiscard]] UsedKinds used_kinds() const;
 };
 

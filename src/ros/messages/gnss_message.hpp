@@ -23,7 +23,6 @@ using GnssMessage =
 /// Names of these kinds, by index.
 constexpr std::array<std::string_view, std::variant_size_v<GnssMessage>> kGnssKinds = {"fix", "dual", "epoch",
                                                                                        "velocity"};
-constexpr std::size_t kFixKind = 0, kDualKind = 1, kEpochKind = 2, kVelocityKind = 3;
 using UsedKinds = std::array<bool, kGnssKinds.size()>;
 static_assert(std::variant_size_v<Measurement> == kGnssKinds.size());
 
