@@ -45,10 +45,12 @@ std::optional<double> ReceiverCovariance::observed_sigma() const {
 }
 
 Eigen::Matrix2d ReceiverCovariance::of(const Eigen::Matrix2d& declared) const {
-  if (parameters_.source == "fixed") return square(parameters_.fixed_sigma) * Eigen::Matrix2d::Identity();
+  if (parameters_.source == CovarianceSource::kFixed)
+    return square(parameters_.fixed_sigma) * Eigen::Matrix2d::Identity();
   const Eigen::Matrix2d scaled = square(parameters_.scale) * declared;
   const double variance = 0.5 * scaled.trace();
-  const double observed = parameters_.source == "adaptive" ? square(observed_sigma().value_or(0.0)) : 0.0;
+  const double observed =
+      parameters_.source == CovarianceSource::kAdaptive ? square(observed_sigma().value_or(0.0)) : 0.0;
   if (observed <= variance) return scaled;
   return variance > 0.0 ? Eigen::Matrix2d(observed / variance * scaled)
                         : Eigen::Matrix2d(observed * Eigen::Matrix2d::Identity());

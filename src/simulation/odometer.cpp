@@ -54,7 +54,7 @@ double Odometer::slip_ratio(double time, double duration) {
 
 std::optional<OdometryIncrement> Odometer::step(const Robot& robot, double time, double duration) {
   ++steps_;
-  const bool told = parameters_.source == "command";
+  const bool told = parameters_.source == OdometerSource::kCommand;
   const double speed = told ? robot.command().speed : robot.speed();
   const double slip = slip_ratio(time, duration);
   slipping_ = slip != 0.0;
@@ -73,7 +73,7 @@ std::optional<OdometryIncrement> Odometer::step(const Robot& robot, double time,
   const double ratio_noise = parameters_.speed_noise_ratio * std::abs(increment.speed);
   increment.speed += std::hypot(parameters_.speed_noise, ratio_noise) * random.normal();
   increment.yaw_rate += parameters_.yaw_rate_noise * random.normal();
-  if (robot.parameters().drive == "omnidirectional") {
+  if (robot.parameters().drive == DriveKind::kOmnidirectional) {
     const double lateral_ratio_noise = parameters_.speed_noise_ratio * std::abs(increment.lateral_speed);
     increment.lateral_speed += std::hypot(parameters_.speed_noise, lateral_ratio_noise) * random.normal();
   }

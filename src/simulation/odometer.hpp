@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "multipath_localization/core/measurements.hpp"
@@ -20,9 +19,12 @@ struct SlipParameters {
   void fields(ParameterVisitor& field);
 };
 
+/// What the odometer reads, as `source` says.
+enum class OdometerSource { kMotion, kCommand };
+
 struct OdometerParameters {
   double rate = 50.0;
-  std::string source = "motion";
+  OdometerSource source = OdometerSource::kMotion;
   double speed_scale_error = 0.0;
   double speed_scale_error_sigma = 0.0;
   double speed_noise = 0.0;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "multipath_localization/core/measurements.hpp"
@@ -23,8 +22,11 @@ struct OutageParameters {
 /// Whether one of the intervals holds `time` [s].
 bool outage_at(const std::vector<OutageParameters>& outages, double time);
 
+/// What a simulated fix is made of, as `source` says.
+enum class ReceiverSource { kZones, kSatellites };
+
 struct ReceiverParameters {
-  std::string source = "zones";
+  ReceiverSource source = ReceiverSource::kZones;
   double rate = 5.0;
   double latency = 0.0;
   double latency_jitter = 0.0;

@@ -67,12 +67,12 @@ void Robot::limit(const MotionCommand& command, double duration) {
 void Robot::step(const MotionCommand& command, double duration) {
   limit(command, duration);
   RandomStream random(seed_, ++steps_, kRobotStream);
-  if (parameters_.drive == "steering") {
+  if (parameters_.drive == DriveKind::kSteering) {
     steer(random, duration);
   } else {
     roll(random, duration);
   }
-  if (parameters_.drive == "omnidirectional") strafe(random, duration);
+  if (parameters_.drive == DriveKind::kOmnidirectional) strafe(random, duration);
   time_ += duration;
 }
 

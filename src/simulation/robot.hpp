@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "multipath_localization/core/motion_command.hpp"
@@ -20,8 +19,11 @@ struct StrafeParameters {
   void fields(ParameterVisitor& field);
 };
 
+/// How the robot moves, as `drive` says.
+enum class DriveKind { kSteering, kDifferential, kOmnidirectional };
+
 struct RobotParameters {
-  std::string drive = "steering";
+  DriveKind drive = DriveKind::kSteering;
   double wheelbase = 1.0;
   double start_x = 0.0;
   double start_y = 0.0;

@@ -44,7 +44,7 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
   for (const BuildingParameters& building : parameters_.buildings) {
     Polygon(building.corners, "building " + building.name);
   }
-  if (parameters_.receiver.source == "satellites") {
+  if (parameters_.receiver.source == ReceiverSource::kSatellites) {
     SkyView sky(parameters_.sky, parameters_.buildings, seed);
     RawReceiver raw(parameters_.raw_receiver, satellites(parameters_.constellations, seed), std::move(sky),
                     LocalFrame(parameters_.datum()), seed);

@@ -38,7 +38,8 @@ void ZoneParameters::fields(ParameterVisitor& field) {
 
 Zone::Zone(const ZoneParameters& parameters, std::uint64_t seed, std::uint32_t index)
     : parameters_(parameters), seed_(seed), index_(index), direction_(parameters.direction) {
-  if (parameters_.shape == "polygon") polygon_ = Polygon(parameters_.corners, "zone " + parameters_.name);
+  if (parameters_.shape == ZoneShape::kPolygon)
+    polygon_ = Polygon(parameters_.corners, "zone " + parameters_.name);
   RandomStream random(seed_, 0, kZoneStream + index_);
   direction_ += parameters_.direction_sigma * random.normal();
   walk_.emplace(parameters_.bias_sigma, parameters_.bias_time_constant, random);
@@ -52,14 +53,14 @@ void Zone::step(double duration) {
 }
 
 double Zone::depth(const Eigen::Vector2d& point) const {
-  if (parameters_.shape == "polygon") return polygon_.depth(point);
+  if (parameters_.shape == ZoneShape::kPolygon) return polygon_.depth(point);
   return (point - Eigen::Vector2d(parameters_.edge_x, parameters_.edge_y)).dot(along(parameters_.inward));
 }
 
 Eigen::Vector2d Zone::bias(const Eigen::Vector2d& point) const {
   const double inside = depth(point);
   if (!(inside > 0.0)) return Eigen::Vector2d::Zero();
-  if (parameters_.law == "depth") return std::min(inside, parameters_.bias_cap) * along(direction_);
+  if (parameters_.law == ZoneLaw::kDepth) return std::min(inside, parameters_.bias_cap) * along(direction_);
   const Eigen::Vector2d& walk = walk_->value();
   const double length = walk.norm();
   return length > parameters_.bias_cap ? Eigen::Vector2d(walk * (parameters_.bias_cap / length)) : walk;

@@ -12,15 +12,21 @@
 
 namespace multipath_localization {
 
+/// What a zone is bounded by, as `shape` says.
+enum class ZoneShape { kHalfPlane, kPolygon };
+
+/// How the error grows within a zone, as `law` says.
+enum class ZoneLaw { kDepth, kRandomWalk };
+
 /// A region in the shadow of buildings, where fixes carry a bias.
 struct ZoneParameters {
   std::string name = "zone";
-  std::string shape = "half_plane";
+  ZoneShape shape = ZoneShape::kHalfPlane;
   std::vector<double> corners;  ///< polygon: [x0, y0, x1, y1, ...]
   double edge_x = 0.0;          ///< half-plane: a point of its edge
   double edge_y = 0.0;
   double inward = 3.14159265358979;  ///< half-plane: direction from the edge into the shadow
-  std::string law = "depth";
+  ZoneLaw law = ZoneLaw::kDepth;
   double bias_cap = 5.0;
   double direction = 3.14159265358979;
   double direction_sigma = 0.0;

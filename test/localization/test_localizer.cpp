@@ -144,7 +144,7 @@ TEST_F(LocalizerTest, SaysHowFarFixesLieFromThePoseAndHowFarTheEstimatorReckoned
 
 TEST_F(LocalizerTest, AdaptsTheCovarianceOfFixesWhereAskedTo) {
   LocalizerParameters adaptive;
-  adaptive.fix_covariance.source = "adaptive";
+  adaptive.fix_covariance.source = CovarianceSource::kAdaptive;
   make(adaptive);
   recorder->estimate_.aligned = true;
   drive(1.0);

@@ -94,7 +94,7 @@ TEST(FixFaults, AZoneBiasesWhereTheFixLiesInIt) {
   FixFaultParameters parameters;
   parameters.zones.emplace_back();
   ZoneParameters& zone = parameters.zones.back();
-  zone.shape = "polygon";
+  zone.shape = ZoneShape::kPolygon;
   zone.corners = {0.0, 4.5, 20.0, 4.5, 20.0, 9.5, 0.0, 9.5};
   zone.direction = 0.0;
   for (const SpoiltFix& out : spoilt(parameters, 20)) {

@@ -39,7 +39,7 @@ TEST(Odometer, MeasuresTheMotionAtItsRate) {
 
 TEST(Odometer, MeasuresTheWaySideways) {
   RobotParameters robot_parameters;
-  robot_parameters.drive = "omnidirectional";
+  robot_parameters.drive = DriveKind::kOmnidirectional;
   robot_parameters.max_acceleration = 1e6;
   robot_parameters.strafes = {{0.0, 10.0, -0.5}};
   Robot robot(robot_parameters, 1);
@@ -65,7 +65,7 @@ TEST(Odometer, FasterThanTheSimulationReportsEveryStep) {
 
 TEST(Odometer, OfTheCommandDoesNotSeeTheNoiseOfTheMotion) {
   OdometerParameters parameters;
-  parameters.source = "command";
+  parameters.source = OdometerSource::kCommand;
   Odometer odometer(parameters, 1);
   for (const OdometryIncrement& u : watch(odometer, 1.0, 1e-3)) {
     EXPECT_NEAR(u.speed, 2.0, 1e-9);

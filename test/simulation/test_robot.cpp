@@ -30,13 +30,13 @@ TEST(Robot, DrivesTheCircleOfItsSteeringAngle) {  // Eqs. (3) and (4) of [NIS]
 TEST(Robot, StrafesBesideWhatItIsCommandedWhereItCan) {
   RobotParameters parameters = agile();
   parameters.strafes = {{1.0, 2.0, 0.5}};
-  parameters.drive = "omnidirectional";
+  parameters.drive = DriveKind::kOmnidirectional;
   Robot robot(parameters, 1);
   for (int i = 0; i < 400; ++i) robot.step({1.0, 0.0}, 0.01);
   EXPECT_NEAR(robot.pose().x, 4.0, 1e-6);
   EXPECT_NEAR(robot.pose().y, 1.0, 0.01);
   EXPECT_EQ(robot.lateral_speed(), 0.0);
-  parameters.drive = "differential";
+  parameters.drive = DriveKind::kDifferential;
   Robot wheeled(parameters, 1);
   for (int i = 0; i < 400; ++i) wheeled.step({1.0, 0.0}, 0.01);
   EXPECT_EQ(wheeled.pose().y, 0.0);
@@ -45,7 +45,7 @@ TEST(Robot, StrafesBesideWhatItIsCommandedWhereItCan) {
 TEST(Robot, StrafesOnTheArcItTurnsBy) {
   RobotParameters parameters = agile();
   parameters.strafes = {{0.0, 10.0, 0.5}};
-  parameters.drive = "omnidirectional";
+  parameters.drive = DriveKind::kOmnidirectional;
   Robot robot(parameters, 1);
   for (int i = 0; i < 100; ++i) robot.step(motion_command(1.0, 0.3, parameters.wheelbase), 0.01);
   const Pose2 expected = displacement({1.0, 1.0, 1.0, 0.3, 0.5});
@@ -122,7 +122,7 @@ TEST(Robot, StandsStillWhenParkedWithTheWheelTurned) {
 
 RobotParameters on_two_wheels() {
   RobotParameters parameters = agile();
-  parameters.drive = "differential";
+  parameters.drive = DriveKind::kDifferential;
   parameters.wheel_separation = 0.35;
   return parameters;
 }

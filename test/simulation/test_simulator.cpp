@@ -18,7 +18,7 @@ SimulatorParameters noisy() {
   parameters.receiver.latency = 0.1;
   parameters.receiver.latency_jitter = 0.1;
   parameters.zones.resize(1);
-  parameters.zones[0].law = "random_walk";
+  parameters.zones[0].law = ZoneLaw::kRandomWalk;
   return parameters;
 }
 
@@ -156,7 +156,7 @@ TEST(Simulator, StaysFiniteWhateverTheCommand) {
 /// A street between two houses.
 SimulatorParameters among_satellites() {
   SimulatorParameters parameters = noisy();
-  parameters.receiver.source = "satellites";
+  parameters.receiver.source = ReceiverSource::kSatellites;
   parameters.buildings = {{"north", {-100, 10, 100, 10, 100, 30, -100, 30}, 40.0},
                           {"south", {-100, -30, 100, -30, 100, -10, -100, -10}, 30.0}};
   return parameters;
@@ -204,7 +204,7 @@ TEST(Simulator, RefusesABuildingWithoutCorners) {
   SimulatorParameters parameters;
   parameters.buildings.resize(1);
   EXPECT_THROW(Simulator(parameters, 1), ParameterError);
-  parameters.receiver.source = "satellites";
+  parameters.receiver.source = ReceiverSource::kSatellites;
   EXPECT_THROW(Simulator(parameters, 1), ParameterError);
 }
 

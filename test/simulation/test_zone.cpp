@@ -10,7 +10,7 @@ namespace {
 
 ZoneParameters walking() {
   ZoneParameters parameters;
-  parameters.law = "random_walk";
+  parameters.law = ZoneLaw::kRandomWalk;
   parameters.bias_sigma = 2.0;
   parameters.bias_time_constant = 5.0;
   parameters.bias_cap = 1e3;
@@ -37,7 +37,7 @@ TEST(Zone, HalfPlaneLiesWhereInwardPoints) {
 
 TEST(Zone, PolygonHasNoBiasOutside) {
   ZoneParameters parameters = walking();
-  parameters.shape = "polygon";
+  parameters.shape = ZoneShape::kPolygon;
   parameters.corners = {0, 0, 10, 0, 10, 10, 0, 10};
   const Zone zone(parameters, 3, 0);
   EXPECT_GT(zone.bias({5.0, 5.0}).norm(), 0.0);

@@ -8,6 +8,9 @@
 
 namespace multipath_localization {
 
+/// How one pose is made of weighted particles, as a parameter `point_estimate` says.
+enum class PointEstimate { kCluster, kMean };
+
 /// Why a measurement was used or not. Published as is in FixReport.
 enum class Reason {
   kAccepted,

@@ -2,11 +2,14 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace multipath_localization {
@@ -40,6 +43,16 @@ class ParameterVisitor {
                           std::string_view meaning) = 0;
   virtual void operator()(const std::string& key, std::vector<double>& value, Range range,
                           std::string_view unit, std::string_view meaning) = 0;
+
+  /// One of a few named options: `names` are those of the enumerators, which count from 0.
+  template <class Option, class = std::enable_if_t<std::is_enum_v<Option>>>
+  void operator()(const std::string& key, Option& value, const std::vector<std::string>& names,
+                  std::string_view meaning) {
+    std::string name = names.at(static_cast<std::size_t>(value));
+    (*this)(key, name, names, meaning);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) value = static_cast<Option>(found - names.begin());
+  }
 
   /// A nested struct with fields of its own.
   template <class Group>

@@ -3,14 +3,16 @@
 #include <Eigen/Core>
 #include <deque>
 #include <optional>
-#include <string>
 
 #include "multipath_localization/core/parameters.hpp"
 
 namespace multipath_localization {
 
+/// Where the covariance of a fix comes from, as `source` says.
+enum class CovarianceSource { kMessage, kFixed, kAdaptive };
+
 struct ReceiverCovarianceParameters {
-  std::string source = "message";
+  CovarianceSource source = CovarianceSource::kMessage;
   double scale = 1.0;
   double fixed_sigma = 3.0;
   double window = 10.0;

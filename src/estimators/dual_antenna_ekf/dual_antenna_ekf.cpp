@@ -56,7 +56,7 @@ DualAntennaEkf::DualAntennaEkf(const DualAntennaEkfParameters& parameters, std::
       pose_error_(parameters.pose_error),
       mean_error_(parameters.subtract_mean ? pose_error_.mean : Eigen::Vector3d::Zero()) {
   const bool singular = pose_error_.covariance.llt().info() != Eigen::Success;
-  if (parameters_.pose_covariance == "measured" && singular) {
+  if (parameters_.pose_covariance == PoseCovariance::kMeasured && singular) {
     throw ParameterError("covariance of pose_error is singular, no measured R");
   }
 }
@@ -136,7 +136,7 @@ Innovation DualAntennaEkf::take(const DualAntennaFix& fixes) {
   }
   std::optional<DualAntennaPose> told = dual_antenna_pose(believed, parameters_.baseline_tolerance);
   if (!told || told->baseline_nis > parameters_.baseline_gate) return refused(Reason::kWrongBaseline);
-  if (parameters_.pose_covariance == "measured") told->covariance = pose_error_.covariance;
+  if (parameters_.pose_covariance == PoseCovariance::kMeasured) told->covariance = pose_error_.covariance;
   if (phase_ == Phase::kTracking) return track(*told);
   if (told->covariance(kYaw, kYaw) > square(parameters_.alignment_yaw_sigma)) {
     follow(believed.left);

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "estimators/ekf/rejection_streak.hpp"
@@ -16,6 +15,9 @@
 
 namespace multipath_localization {
 
+/// Whose covariance a pair of fixes has, as `pose_covariance` says.
+enum class PoseCovariance { kDeclared, kMeasured };
+
 struct DualAntennaEkfParameters {
   double wheel_separation = 0.35;
   double wheel_noise = 0.1;
@@ -24,7 +26,7 @@ struct DualAntennaEkfParameters {
   bool heading_jacobian = true;
   bool wrap_innovation = true;
   bool subtract_mean = false;
-  std::string pose_covariance = "declared";
+  PoseCovariance pose_covariance = PoseCovariance::kDeclared;
   PoseErrorParameters pose_error;
   double gate = 100.0;
   double fix_gate = 100.0;

@@ -10,7 +10,7 @@ constexpr double kStartRateSigma = 10.0;  ///< of the offset's rate before it wa
 
 double BiasRadius::update(const Eigen::Vector2d& fix, const Eigen::Vector2d& predicted, double sigma_c,
                           double duration) {
-  const bool relative = parameters_.bias_input == "relative";
+  const bool relative = parameters_.bias_input == BiasInput::kRelative;
   const Eigen::Vector2d z = relative ? Eigen::Vector2d(fix - predicted) : fix;
   const double variance = sigma_c * sigma_c;
   if (!started_) {
@@ -26,7 +26,7 @@ double BiasRadius::update(const Eigen::Vector2d& fix, const Eigen::Vector2d& pre
     kalman::correct<4, 2>(eta_, z - H * eta_.mean, H, variance * Eigen::Matrix2d::Identity());
   }
   const Eigen::Vector2d smoothed = gnss_bias::offset(eta_.mean);
-  return parameters_.bias_input == "smoothed" ? (smoothed - predicted).norm() : smoothed.norm();
+  return parameters_.bias_input == BiasInput::kSmoothed ? (smoothed - predicted).norm() : smoothed.norm();
 }
 
 Eigen::Matrix2d BiasRadius::covariance() const {

@@ -18,7 +18,7 @@ void FixHeading::restart(const Eigen::Vector2d& position) {
 }
 
 bool FixHeading::due() const {
-  return parameters_.fix_heading != "off" &&
+  return parameters_.fix_heading != FixHeadingSource::kOff &&
          base_in_start_.position().norm() >= parameters_.fix_heading_distance;
 }
 
@@ -26,7 +26,7 @@ std::optional<double> FixHeading::heading(const Eigen::Vector2d& base_by_fix) co
   if (!due()) return std::nullopt;
   const Eigen::Vector2d seen = base_by_fix - start_;
   const double printed = std::atan2(seen.y(), seen.x()) + base_in_start_.yaw;
-  if (parameters_.fix_heading == "printed") return wrap_angle(printed);
+  if (parameters_.fix_heading == FixHeadingSource::kPrinted) return wrap_angle(printed);
   return wrap_angle(printed - std::atan2(base_in_start_.y, base_in_start_.x));
 }
 

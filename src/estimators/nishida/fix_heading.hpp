@@ -2,16 +2,18 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/core/parameters.hpp"
 
 namespace multipath_localization {
 
+/// Where the heading by fixes comes from, as `fix_heading` says.
+enum class FixHeadingSource { kOff, kChord, kPrinted };
+
 /// Decisions about Eq. (12) of [NIS].
 struct FixHeadingParameters {
-  std::string fix_heading = "off";
+  FixHeadingSource fix_heading = FixHeadingSource::kOff;
   double fix_heading_distance = 5.0;
 
   void fields(ParameterVisitor& field);

@@ -92,7 +92,7 @@ void FixParticleFilter::predict(const OdometryIncrement& u) {
   if (!usable(u)) return;
   estimate_.stamp = now_ = u.stamp;
   if (particles_.empty() || standing(u)) return;
-  if (particles_are_fresh_ && parameters_.propagate_from == "estimate") {
+  if (particles_are_fresh_ && parameters_.propagate_from == PropagateFrom::kEstimate) {
     for (std::size_t i = 0; i < particles_.size(); ++i) particles_.set_pose(i, predicted_);
   }
   particles_are_fresh_ = false;
@@ -163,7 +163,7 @@ Innovation FixParticleFilter::compare(const GnssFix& fix) const {
 /// p_r of [NIS], Eqs. (22)-(26), for particles at equal steps. Departs: Eq. (24) prints r_s for the mean
 /// r_hat.
 void FixParticleFilter::sample_ring(double radius, const FixSigmas& sigma) {
-  const bool printed = parameters_.ring.ring_weight == "printed";
+  const bool printed = parameters_.ring.ring_weight == RingWeight::kPrinted;
   const auto size = static_cast<double>(particles_.size());
   const double log_scale = -std::log(size) - 0.5 * std::log(2.0 * kPi * square(sigma.shadow));
   RandomStream draw(seed_, step_, kRing);
@@ -192,7 +192,7 @@ void FixParticleFilter::sample_ring(double radius, const FixSigmas& sigma) {
 /// Eqs. (34), (35), (39) of [NIS]. Departs, unless "mean": Eq. (35) averages over clusters as well.
 void FixParticleFilter::take_stock() {
   PoseNeighbourhood within{predicted_, std::numeric_limits<double>::infinity(), 2.0 * kPi};
-  if (parameters_.point_estimate == "cluster") {
+  if (parameters_.point_estimate == PointEstimate::kCluster) {
     within = particles_.dominant_neighbourhood(cluster_reach_, kClusterTurn);
   } else {
     within.centre = member_moments(particles_.choose_members(within), within.centre).mean;

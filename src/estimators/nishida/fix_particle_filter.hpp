@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "estimators/nishida/bias_radius.hpp"
 #include "estimators/nishida/fix_heading.hpp"
@@ -17,21 +16,27 @@
 
 namespace multipath_localization {
 
+/// What weight a particle drawn on the ring gets, as `ring_weight` says.
+enum class RingWeight { kDeviation, kPrinted };
+
 /// Decisions about Eqs. (22)-(26), (33) of [NIS]: what the method adds to a conventional particle filter.
 struct RingParameters {
   double ring_fraction = 0.05;
-  std::string ring_weight = "deviation";
+  RingWeight ring_weight = RingWeight::kDeviation;
   double shadow_weight = 0.5;
 
   void fields(ParameterVisitor& field);
 };
 
+/// What the particles of the next step are moved from, as `propagate_from` says.
+enum class PropagateFrom { kParticles, kEstimate };
+
 /// Everything that the particle filters of [NIS] have in common.
 struct FixParticleFilterParameters {
   KldSamplingParameters sampling;
   double ess_threshold = 5.0;
-  std::string propagate_from = "particles";
-  std::string point_estimate = "cluster";
+  PropagateFrom propagate_from = PropagateFrom::kParticles;
+  PointEstimate point_estimate = PointEstimate::kCluster;
   double start_sigma = 1.0;
   double position_sigma_floor = 0.1;
   int threads = 1;

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/core/parameters.hpp"
@@ -11,9 +10,12 @@
 
 namespace multipath_localization {
 
+/// What moves the particles, as `motion` says.
+enum class MotionSource { kAuto, kDoppler, kOdometry };
+
 /// Decisions about Eqs. (8), (9) of [SUZ]: what moves the particles and how far it can be trusted.
 struct PseudorangeMotionParameters {
-  std::string motion = "auto";
+  MotionSource motion = MotionSource::kAuto;
   double doppler_tolerance = 0.5;
   double doppler_walk = 0.1;
   bool velocity_follows_odometry = true;

@@ -23,8 +23,8 @@ constexpr double kAlignedDominance = 0.5;  ///< probability mass
 constexpr double kMoving = 0.5;            ///< by Doppler [m/s]
 constexpr double kVelocityLasts = 3.0;     ///< without an epoch [s]
 
-double free_or(double sigma, const std::string& constellations) {
-  return constellations == "tied" ? sigma : std::numeric_limits<double>::infinity();
+double free_or(double sigma, ConstellationClocks constellations) {
+  return constellations == ConstellationClocks::kTied ? sigma : std::numeric_limits<double>::infinity();
 }
 
 bool moves(const PseudorangeParticle& particle) {
@@ -49,7 +49,8 @@ void PseudorangeParticleFilter::predict(const OdometryIncrement& u) {
   const OdometryIncrement before = std::exchange(last_increment_, u);
   if (particles_.empty()) return;
   time_since_epoch_ += u.duration;
-  if (parameters_.motion.motion == "auto" && time_since_epoch_ > kVelocityLasts) forget_velocities();
+  if (parameters_.motion.motion == MotionSource::kAuto && time_since_epoch_ > kVelocityLasts)
+    forget_velocities();
   const bool moving = !standing(u) || std::any_of(rest_.begin(), rest_.end(), moves);
   evidence_time_ += (moving ? 1.0 : parameters_.likelihood.standing_evidence) * u.duration;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -70,7 +71,8 @@ PseudorangeParticleFilter::Sky PseudorangeParticleFilter::sky_of(const Pseudoran
   sky.observations = usable_observations(epoch);
   sky.antenna_in_base = epoch.antenna_in_base;
   const std::vector<double> by_signal = signal_weights(sky.observations);
-  sky.weights = parameters_.weighting == "signal" ? by_signal : declared_weights(sky.observations);
+  sky.weights =
+      parameters_.weighting == SatelliteWeighting::kSignal ? by_signal : declared_weights(sky.observations);
   sky.fix = one_sided_position(sky.observations, by_signal, parameters_.robust,
                                particles_.empty() || !heights_known_ ? Eigen::Vector3d(0.0, 0.0, 0.0)
                                                                      : mean_antenna(epoch.antenna_in_base));
@@ -97,8 +99,9 @@ void PseudorangeParticleFilter::take_stock() {
   effective_sample_size_ = effective_sample_size(weights_);
   constexpr double kReach = 30.0;  // [m]
   constexpr double kTurn = 0.6;    // [rad]
-  cluster_ =
-      parameters_.point_estimate == "mean" ? weights_ : dominant_cluster(particles_, weights_, kReach, kTurn);
+  cluster_ = parameters_.point_estimate == PointEstimate::kMean
+                 ? weights_
+                 : dominant_cluster(particles_, weights_, kReach, kTurn);
 }
 
 Eigen::Vector3d PseudorangeParticleFilter::mean_antenna(const Eigen::Vector2d& antenna_in_base) const {

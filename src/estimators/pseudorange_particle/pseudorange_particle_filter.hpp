@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "estimators/pseudorange_particle/pseudorange_motion.hpp"
@@ -16,30 +15,48 @@
 
 namespace multipath_localization {
 
+/// What a particle is weighed by, as `likelihood` says.
+enum class SubsetLikelihood { kDensity, kDistance };
+
+/// What an epoch is worth, as `tempering` says.
+enum class Tempering { kTime, kNone };
+
 /// Decisions about Eqs. (11), (12) of [SUZ].
 struct SubsetLikelihoodParameters {
-  std::string likelihood = "density";
+  SubsetLikelihood likelihood = SubsetLikelihood::kDensity;
   double likelihood_sigma = 1.0;
   double outlier_sigma = 100.0;
-  std::string tempering = "time";
+  Tempering tempering = Tempering::kTime;
   double evidence_rate = 0.2;
   double standing_evidence = 0.1;
 
   void fields(ParameterVisitor& field);
 };
 
+/// By which solution the filter starts, as `start` says.
+enum class StartPosition { kRobust, kPlain };
+
+/// Whether a filter that is lost starts again, as `reset` says.
+enum class Reset { kRobust, kNever };
+
+/// What satellites are weighed by, as `weighting` says.
+enum class SatelliteWeighting { kSignal, kDeclared };
+
+/// How the clocks of constellations hang together, as `constellations` says.
+enum class ConstellationClocks { kTied, kSeparate };
+
 struct PseudorangeParticleFilterParameters {
   int particles = 500;
   double ess_fraction = 0.5;
-  std::string start = "robust";
+  StartPosition start = StartPosition::kRobust;
   double start_sigma = 8.0;
-  std::string reset = "robust";
+  Reset reset = Reset::kRobust;
   double restart_rate = 0.05;
   double reset_after = 3.0;
-  std::string point_estimate = "cluster";
+  PointEstimate point_estimate = PointEstimate::kCluster;
   double position_sigma_floor = 0.1;
-  std::string weighting = "signal";
-  std::string constellations = "tied";
+  SatelliteWeighting weighting = SatelliteWeighting::kSignal;
+  ConstellationClocks constellations = ConstellationClocks::kTied;
   double inter_system_sigma = 15.0;
   LosSubsetParameters subset;
   SubsetLikelihoodParameters likelihood;

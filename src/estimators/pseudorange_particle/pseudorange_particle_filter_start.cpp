@@ -70,7 +70,7 @@ void PseudorangeParticleFilter::draw_heights(const PseudorangeSolution& fix) {
 }
 
 std::optional<PseudorangeSolution> PseudorangeParticleFilter::start_fix(const Sky& sky) const {
-  if (parameters_.start == "robust") return sky.fix;
+  if (parameters_.start == StartPosition::kRobust) return sky.fix;
   return solve_position(sky.observations, sky.weights, Eigen::Vector3d::Zero());
 }
 
@@ -115,7 +115,7 @@ void PseudorangeParticleFilter::draw_near(std::size_t i, const Sky& sky, const P
 /// A few particles try the robust fix at any time, so that a cloud gone astray is contradicted by its own
 /// weights. Departs: [SUZ] has no way back.
 void PseudorangeParticleFilter::restart_some(const Sky& sky) {
-  if (parameters_.reset == "never" || !sky.fix) return;
+  if (parameters_.reset == Reset::kNever || !sky.fix) return;
   const double probability = std::min(kMostRestartedAtOnce, parameters_.restart_rate * time_since_epoch_);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     RandomStream draw = random(i);

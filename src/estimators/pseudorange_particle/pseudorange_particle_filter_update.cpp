@@ -19,19 +19,20 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 /// prints the normal density without the determinant of Sigma.
 double log_likelihood(const SubsetSolution& solution, const SubsetLikelihoodParameters& parameters) {
   const double quadratic = -0.5 * solution.mahalanobis_squared / square(parameters.likelihood_sigma);
-  return parameters.likelihood == "density" ? 0.5 * solution.log_determinant + quadratic : quadratic;
+  return parameters.likelihood == SubsetLikelihood::kDensity ? 0.5 * solution.log_determinant + quadratic
+                                                             : quadratic;
 }
 
 /// What a subset that says next to nothing would give.
 double log_floor(const SubsetLikelihoodParameters& parameters) {
-  if (parameters.likelihood != "density" || parameters.outlier_sigma == 0.0) return kNever;
+  if (parameters.likelihood != SubsetLikelihood::kDensity || parameters.outlier_sigma == 0.0) return kNever;
   return -3.0 * std::log(parameters.outlier_sigma);
 }
 
 }  // namespace
 
 double PseudorangeParticleFilter::exponent() const {
-  if (parameters_.likelihood.tempering == "none") return 1.0;
+  if (parameters_.likelihood.tempering == Tempering::kNone) return 1.0;
   return std::min(1.0, parameters_.likelihood.evidence_rate * evidence_time_);
 }
 
@@ -60,7 +61,7 @@ void PseudorangeParticleFilter::settle() {
 Innovation PseudorangeParticleFilter::miss(const Sky& sky) {
   if (!lost_since_) lost_since_ = now_;
   const bool lost = now_ - *lost_since_ >= parameters_.reset_after;
-  if (!lost || parameters_.reset == "never" || !sky.fix) return refused(Reason::kTooFewSatellites);
+  if (!lost || parameters_.reset == Reset::kNever || !sky.fix) return refused(Reason::kTooFewSatellites);
   restart_all(sky);
   settle();
   Innovation result;
@@ -89,10 +90,10 @@ bool PseudorangeParticleFilter::weigh(const Sky& sky, LosSubset& subset) {
 }
 
 void PseudorangeParticleFilter::adopt_velocity(std::size_t i, const Sky& sky, const LosSubset& subset) {
-  if (parameters_.motion.motion == "odometry") return;
+  if (parameters_.motion.motion == MotionSource::kOdometry) return;
   const auto velocity = subset.velocity(parameters_.motion.doppler_tolerance);
   if (!velocity) {
-    if (parameters_.motion.motion == "auto") rest_[i].velocity.reset();
+    if (parameters_.motion.motion == MotionSource::kAuto) rest_[i].velocity.reset();
     return;
   }
   Pose2 pose = particles_.pose(i);

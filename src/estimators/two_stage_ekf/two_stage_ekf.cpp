@@ -66,7 +66,8 @@ void TwoStageEkf::start(const std::optional<PosePrior>& prior) {
 
 void TwoStageEkf::begin_tracking() {
   tracked_ = Belief{alignment_.state()};
-  if (parameters_.compensate && parameters_.bias_estimated == "always") begin_fault(parameters_.bias_sigma);
+  if (parameters_.compensate && parameters_.bias_estimated == BiasEstimated::kAlways)
+    begin_fault(parameters_.bias_sigma);
 }
 
 void TwoStageEkf::predict(const OdometryIncrement& u) {
@@ -114,7 +115,7 @@ double TwoStageEkf::share_of_fix() const {
 }
 
 odometry_state::Vector TwoStageEkf::linearisation_offset() const {
-  if (parameters_.linearised_at == "bias_free") return odometry_state::Vector::Zero();
+  if (parameters_.linearised_at == LinearisedAt::kBiasFree) return odometry_state::Vector::Zero();
   return tracked_->sensitivity * tracked_->bias.mean;
 }
 
@@ -131,7 +132,7 @@ Innovation TwoStageEkf::track(const GnssFix& fix, const Eigen::Matrix2d& R, doub
   const Eigen::Matrix2d C = Eigen::Matrix2d::Identity();
   Observation seen = observe(fix);
   const auto expected = two_stage::compare<kStates, 2, 2>(*tracked_, seen.innovation, seen.H, C, R);
-  const bool in_fault_only = parameters_.compensate && parameters_.bias_estimated == "in_fault";
+  const bool in_fault_only = parameters_.compensate && parameters_.bias_estimated == BiasEstimated::kInFault;
   double log_likelihood = expected.log_likelihood;
   if (in_fault_only && expected.nis > parameters_.fault_threshold) {
     begin_fault(std::max(parameters_.bias_sigma, expected.innovation.norm()));

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "estimators/ekf/chord_alignment.hpp"
@@ -16,10 +15,16 @@
 
 namespace multipath_localization {
 
+/// When the bias is estimated, as `bias_estimated` says.
+enum class BiasEstimated { kInFault, kAlways };
+
+/// Where the filters are linearised, as `linearised_at` says.
+enum class LinearisedAt { kCorrected, kBiasFree };
+
 /// Decisions about [KIM], most of which it leaves open.
 struct TwoStageEkfParameters {
   bool compensate = true;
-  std::string bias_estimated = "in_fault";
+  BiasEstimated bias_estimated = BiasEstimated::kInFault;
   double fault_threshold = 7.81;
   double bias_sigma = 5.0;
   double bias_walk = 1.5;
@@ -28,7 +33,7 @@ struct TwoStageEkfParameters {
   double reopen_after = 5.0;
   double reopen_yaw_sigma = 0.3;
   double fix_correlation_time = 2.0;
-  std::string linearised_at = "corrected";
+  LinearisedAt linearised_at = LinearisedAt::kCorrected;
   ChordAlignmentParameters alignment;
   DeclaredCovarianceParameters declared{0.5, 50.0, 3.0};  ///< "30cm-50cm", section 2.1
   OdometryNoise odometry;

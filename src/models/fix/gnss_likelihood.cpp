@@ -130,7 +130,7 @@ FixSigmas fix_sigmas(const GnssLikelihoodParameters& parameters, const GnssFix& 
 
 GnssLikelihood::GnssLikelihood(const GnssLikelihoodParameters& parameters, const GnssFix& fix,
                                double shadow_weight, double ring_radius, const std::optional<double>& heading)
-    : cross_(parameters.likelihood_kernel == "cross"),
+    : cross_(parameters.likelihood_kernel == LikelihoodKernel::kCross),
       ring_radius_(ring_radius),
       shadow_weight_(shadow_weight),
       sigma_(fix_sigmas(parameters, fix)),

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/core/parameters.hpp"
@@ -10,13 +9,16 @@
 
 namespace multipath_localization {
 
+/// How the two parts of the likelihood meet, as `likelihood_kernel` says.
+enum class LikelihoodKernel { kProduct, kCross };
+
 /// p(z | x) of [NIS] section 3.4.
 struct GnssLikelihoodParameters {
   double sigma_b = 0.05;            ///< root of 0.0025 m^2, section 4.1
   double sigma_s = 0.316227766017;  ///< root of Eq. (45)
   double sigma_p = 0.1;             ///< root of 0.01 rad^2, section 4.1
   bool use_declared_covariance = true;
-  std::string likelihood_kernel = "product";
+  LikelihoodKernel likelihood_kernel = LikelihoodKernel::kProduct;
 
   void fields(ParameterVisitor& field);
 };

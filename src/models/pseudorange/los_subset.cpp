@@ -100,7 +100,7 @@ void LosSubset::look_from(const Eigen::Vector3d& antenna) {
 
 /// Eq. (5) of [SUZ].
 void LosSubset::remove_clocks() {
-  if (parameters_.clock == "reference") {
+  if (parameters_.clock == SubsetClock::kReference) {
     const double clock = residuals_[reference_];
     for (double& residual : residuals_) residual -= clock;
     return;

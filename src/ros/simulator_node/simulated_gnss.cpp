@@ -19,7 +19,7 @@ SimulatedGnss::SimulatedGnss(ros::NodeHandle node, const SimulatorParameters& si
                              const RobotFrames& frames, const ros::Time& origin)
     : frames_(frames), map_(simulator.datum()), origin_(origin) {
   if (has_receiver(simulator)) fix_ = node.advertise<sensor_msgs::NavSatFix>("gps/fix", kQueue);
-  if (has_receiver(simulator) && simulator.receiver.source == "satellites") {
+  if (has_receiver(simulator) && simulator.receiver.source == ReceiverSource::kSatellites) {
     epoch_ = node.advertise<GnssEpoch>("gnss/epoch", kQueue);
   }
   if (has_pair(simulator)) {

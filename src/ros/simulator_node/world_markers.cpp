@@ -38,7 +38,7 @@ void colour(Marker& marker, float r, float g, float b, float a) {
 }
 
 Polygon outline(const ZoneParameters& zone) {
-  if (zone.shape == "polygon") return Polygon(zone.corners, "zone " + zone.name);
+  if (zone.shape == ZoneShape::kPolygon) return Polygon(zone.corners, "zone " + zone.name);
   const Eigen::Vector2d edge(zone.edge_x, zone.edge_y);
   const Eigen::Vector2d inward(std::cos(zone.inward), std::sin(zone.inward));
   const Eigen::Vector2d along(-inward.y(), inward.x());

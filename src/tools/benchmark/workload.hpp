@@ -37,7 +37,7 @@ inline NishidaParticleFilterParameters parameters(std::size_t size, int threads 
   parameters.sampling.min_particles = parameters.sampling.max_particles = static_cast<int>(size);
   parameters.threads = threads;
   parameters.ess_threshold = 2.0 * static_cast<double>(size);
-  parameters.heading.fix_heading = "printed";
+  parameters.heading.fix_heading = FixHeadingSource::kPrinted;
   parameters.heading.fix_heading_distance = 0.0;
   return parameters;
 }

@@ -16,7 +16,7 @@ namespace {
 DualAntennaEkfParameters measured(double wheel_noise) {
   DualAntennaEkfParameters parameters;
   parameters.wheel_noise = wheel_noise;
-  parameters.pose_covariance = "measured";
+  parameters.pose_covariance = PoseCovariance::kMeasured;
   return parameters;
 }
 
@@ -169,7 +169,7 @@ TEST(DualAntennaEkf, RefusesAMeasuredCovarianceThatIsNone) {
   EXPECT_THROW(DualAntennaEkf{parameters}, ParameterError);
   parameters.pose_error.covariance = std::vector<double>(9, 0.0);
   EXPECT_THROW(DualAntennaEkf{parameters}, ParameterError) << "singular";
-  parameters.pose_covariance = "declared";
+  parameters.pose_covariance = PoseCovariance::kDeclared;
   EXPECT_NO_THROW(DualAntennaEkf{parameters});
 }
 

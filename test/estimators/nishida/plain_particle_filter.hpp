@@ -25,7 +25,7 @@ inline double plain_log_likelihood(const FixParticleFilterParameters& parameters
   const double shadow = parameters.ring.shadow_weight;
   const Eigen::Vector2d error = position - fix.position;
   std::vector<double> terms = {kernel(shadow, sigma.shadow, error.norm() - radius)};
-  if (parameters.likelihood.likelihood_kernel == "product") {
+  if (parameters.likelihood.likelihood_kernel == LikelihoodKernel::kProduct) {
     terms.push_back(kernel(1.0 - shadow, sigma.direct, error.norm()));
   } else {
     terms.push_back(kernel(1.0 - shadow, sigma.direct, error.x()));

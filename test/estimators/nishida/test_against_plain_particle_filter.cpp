@@ -114,7 +114,7 @@ GnssFix fix_on_the_way(int step, const Pose2& truth) {
 NishidaParticleFilterParameters mean_of_300() {
   NishidaParticleFilterParameters parameters;
   parameters.sampling.min_particles = parameters.sampling.max_particles = 300;
-  parameters.point_estimate = "mean";
+  parameters.point_estimate = PointEstimate::kMean;
   return parameters;
 }
 

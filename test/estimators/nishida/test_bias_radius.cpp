@@ -28,15 +28,15 @@ Eigen::Vector2d sudden(double t) { return t < 30.0 ? Eigen::Vector2d::Zero() : E
 
 TEST(BiasRadius, IsTheLengthOfAConstantBias) {
   GnssBiasParameters parameters;
-  for (const char* input : {"relative", "smoothed"}) {
+  for (BiasInput input : {BiasInput::kRelative, BiasInput::kSmoothed}) {
     parameters.bias_input = input;
-    EXPECT_NEAR(radius_after(parameters, constant), 5.0, 0.5) << input;
+    EXPECT_NEAR(radius_after(parameters, constant), 5.0, 0.5) << static_cast<int>(input);
   }
 }
 
 TEST(BiasRadius, AsPrintedIsTheDistanceFromTheOriginOfTheMap) {
   GnssBiasParameters parameters;
-  parameters.bias_input = "absolute";
+  parameters.bias_input = BiasInput::kAbsolute;
   EXPECT_NEAR(radius_after(parameters, constant), std::hypot(103.0, 46.0), 0.5);
 }
 

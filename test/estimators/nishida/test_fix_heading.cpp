@@ -5,7 +5,7 @@
 namespace multipath_localization {
 namespace {
 
-FixHeadingParameters parameters(const char* mode, double distance) {
+FixHeadingParameters parameters(FixHeadingSource mode, double distance) {
   FixHeadingParameters result;
   result.fix_heading = mode;
   result.fix_heading_distance = distance;
@@ -27,23 +27,25 @@ std::optional<double> heading_after(const FixHeadingParameters& p, Pose2 truth, 
 
 TEST(FixHeading, ChordIsExactOnACurveForwardAndInReverse) {
   for (const double speed : {2.0, -2.0}) {
-    const auto heading = heading_after(parameters("chord", 1.0), {5.0, -3.0, 2.5}, speed, 0.4, 20);
+    const auto heading =
+        heading_after(parameters(FixHeadingSource::kChord, 1.0), {5.0, -3.0, 2.5}, speed, 0.4, 20);
     ASSERT_TRUE(heading.has_value());
     EXPECT_NEAR(angle_difference(*heading, 2.5 + 0.8), 0.0, 1e-9);
   }
 }
 
 TEST(FixHeading, PrintedFlipsInReverseAndAddsTheWholeTurn) {
-  const auto ahead = heading_after(parameters("printed", 0.0), {0.0, 0.0, 0.5}, 2.0, 0.4, 5);
+  const auto ahead = heading_after(parameters(FixHeadingSource::kPrinted, 0.0), {0.0, 0.0, 0.5}, 2.0, 0.4, 5);
   EXPECT_NEAR(*ahead, 0.5 + 0.1 + 0.2, 1e-9);
-  const auto reverse = heading_after(parameters("printed", 0.0), {0.0, 0.0, 0.5}, -2.0, 0.0, 5);
+  const auto reverse =
+      heading_after(parameters(FixHeadingSource::kPrinted, 0.0), {0.0, 0.0, 0.5}, -2.0, 0.0, 5);
   EXPECT_NEAR(angle_difference(*reverse, 0.5 + kPi), 0.0, 1e-9);
 }
 
 TEST(FixHeading, SaysNothingWhenOffOrTooNear) {
-  EXPECT_FALSE(heading_after(parameters("off", 0.0), {}, 2.0, 0.0, 50).has_value());
-  EXPECT_FALSE(heading_after(parameters("chord", 5.0), {}, 2.0, 0.0, 20).has_value());
-  EXPECT_TRUE(heading_after(parameters("chord", 5.0), {}, 2.0, 0.0, 30).has_value());
+  EXPECT_FALSE(heading_after(parameters(FixHeadingSource::kOff, 0.0), {}, 2.0, 0.0, 50).has_value());
+  EXPECT_FALSE(heading_after(parameters(FixHeadingSource::kChord, 5.0), {}, 2.0, 0.0, 20).has_value());
+  EXPECT_TRUE(heading_after(parameters(FixHeadingSource::kChord, 5.0), {}, 2.0, 0.0, 30).has_value());
 }
 
 }  // namespace

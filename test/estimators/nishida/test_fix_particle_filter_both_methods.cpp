@@ -170,17 +170,18 @@ TYPED_TEST(ParticleFilters, HypothesesSumToOneAndAreCapped) {
 }
 
 TYPED_TEST(ParticleFilters, EveryOptionStaysFiniteThroughABiasedDrive) {
-  for (const char* kernel : {"product", "cross"}) {
-    for (const char* heading : {"off", "chord", "printed"}) {
-      for (const char* source : {"particles", "estimate"}) {
+  for (LikelihoodKernel kernel : {LikelihoodKernel::kProduct, LikelihoodKernel::kCross}) {
+    for (FixHeadingSource heading :
+         {FixHeadingSource::kOff, FixHeadingSource::kChord, FixHeadingSource::kPrinted}) {
+      for (PropagateFrom source : {PropagateFrom::kParticles, PropagateFrom::kEstimate}) {
         TypeParam parameters;
         parameters.sampling.min_particles = parameters.sampling.max_particles = 60;
         parameters.likelihood.likelihood_kernel = kernel;
         parameters.heading.fix_heading = heading;
         parameters.heading.fix_heading_distance = 0.0;
         parameters.propagate_from = source;
-        parameters.point_estimate = "mean";
-        parameters.ring.ring_weight = "printed";
+        parameters.point_estimate = PointEstimate::kMean;
+        parameters.ring.ring_weight = RingWeight::kPrinted;
         parameters.motion.noise_scale = 1.0;
         WindingDrive drive(14);
         FixParticleFilter filter(parameters, 14);

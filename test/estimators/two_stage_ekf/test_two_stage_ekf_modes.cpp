@@ -16,9 +16,9 @@ constexpr int kStates = odometry_state::kSize;
 /// A constant bias from the start on, everything linearised at the bias-free estimate.
 TwoStageEkfParameters friedland() {
   TwoStageEkfParameters parameters;
-  parameters.bias_estimated = "always";
+  parameters.bias_estimated = BiasEstimated::kAlways;
   parameters.bias_walk = 0.0;
-  parameters.linearised_at = "bias_free";
+  parameters.linearised_at = LinearisedAt::kBiasFree;
   parameters.fix_correlation_time = 0.0;
   return parameters;
 }
@@ -86,7 +86,7 @@ TEST(TwoStageEkf, LiteralModeIsFriedlandsEstimator) {
 /// pose, odometer's errors and bias.
 TEST(TwoStageEkf, EqualsTheAugmentedFilterForAWalkingBias) {
   TwoStageEkfParameters parameters;
-  parameters.bias_estimated = "always";
+  parameters.bias_estimated = BiasEstimated::kAlways;
   parameters.fix_correlation_time = 0.0;
   TwoStageEkf filter(parameters);
   MatchedRobot robot = robot_of(parameters, 5);

@@ -57,7 +57,7 @@ struct Likelihood {
 GnssLikelihoodParameters printed() {
   GnssLikelihoodParameters parameters;
   parameters.use_declared_covariance = false;
-  parameters.likelihood_kernel = "cross";
+  parameters.likelihood_kernel = LikelihoodKernel::kCross;
   return parameters;
 }
 
@@ -99,7 +99,7 @@ TEST(GnssLikelihood, WithoutShadowIsEquation47) {
 
 TEST(GnssLikelihood, ProductKernelDependsOnTheDistanceAlone) {
   GnssLikelihoodParameters parameters = printed();
-  parameters.likelihood_kernel = "product";
+  parameters.likelihood_kernel = LikelihoodKernel::kProduct;
   const Likelihood product{parameters, 0.0, 0.0};
   EXPECT_NEAR(product({0.1, 0.0}, {}).log_likelihood, product({0.06, 0.08}, {}).log_likelihood, 1e-12);
   const Likelihood cross{printed(), 0.0, 0.0};
@@ -108,7 +108,7 @@ TEST(GnssLikelihood, ProductKernelDependsOnTheDistanceAlone) {
 
 TEST(GnssLikelihood, TellsDistancesApartWhereItsValueUnderflows) {
   GnssLikelihoodParameters parameters = printed();
-  parameters.likelihood_kernel = "product";
+  parameters.likelihood_kernel = LikelihoodKernel::kProduct;
   const Likelihood likelihood{parameters, 0.5, 0.0};
   const double near = likelihood({200.0, 0.0}, {}).log_likelihood;
   const double far = likelihood({201.0, 0.0}, {}).log_likelihood;

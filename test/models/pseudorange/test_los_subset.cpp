@@ -28,7 +28,7 @@ InterSystemBias tied(double glonass_over_gps) {
 
 LosSubsetParameters as_printed() {
   LosSubsetParameters parameters;
-  parameters.clock = "reference";
+  parameters.clock = SubsetClock::kReference;
   parameters.lower_threshold = -20.0;
   parameters.upper_threshold = 10.0;
   return parameters;

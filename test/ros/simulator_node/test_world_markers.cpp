@@ -8,7 +8,7 @@ namespace {
 TEST(WorldMarkers, DrawEachZoneAndEachBuildingInTriangles) {
   SimulatorParameters world;
   world.zones.resize(2);  // half-planes x < 0
-  world.zones[1].shape = "polygon";
+  world.zones[1].shape = ZoneShape::kPolygon;
   world.zones[1].corners = {5, 5, 9, 5, 9, 9};
   world.buildings.push_back({"house", {0, 0, 4, 0, 4, 3, 0, 3}, 8.0});
   std_msgs::Header header;

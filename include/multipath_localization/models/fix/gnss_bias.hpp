@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 
 #include "multipath_localization/core/parameters.hpp"
 
@@ -30,9 +29,12 @@ Eigen::Vector2d offset(const State& eta);
 
 }  // namespace gnss_bias
 
+/// What the bias filter is fed with, as the parameter `bias_input` says.
+enum class BiasInput { kRelative, kSmoothed, kAbsolute };
+
 /// Decisions about Eqs. (14)-(21) that [NIS] leaves open.
 struct GnssBiasParameters {
-  std::string bias_input = "relative";
+  BiasInput bias_input = BiasInput::kRelative;
   double bias_process_noise = 1.0;
 
   void fields(ParameterVisitor& field);

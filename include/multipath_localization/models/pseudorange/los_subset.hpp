@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "multipath_localization/core/measurements.hpp"
@@ -12,9 +11,12 @@
 
 namespace multipath_localization {
 
+/// What Eq. (5) of [SUZ] takes for the clock, as `clock` says.
+enum class SubsetClock { kQuantile, kReference };
+
 /// Decisions about Eqs. (5)-(7) of [SUZ].
 struct LosSubsetParameters {
-  std::string clock = "quantile";
+  SubsetClock clock = SubsetClock::kQuantile;
   double clock_quantile = 0.25;
   double lower_threshold = -40.0;
   double upper_threshold = 20.0;
