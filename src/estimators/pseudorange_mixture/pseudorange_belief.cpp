@@ -37,10 +37,9 @@ void ReceiverStateNoise::fields(ParameterVisitor& field) {
 }
 
 Belief PseudorangeBelief::planar() const {
-  constexpr int kPlanar = kGyroBias + 1;
   Belief belief;
-  belief.mean.head<kPlanar>() = mean.head<kPlanar>();
-  belief.covariance.topLeftCorner<kPlanar, kPlanar>() = covariance.topLeftCorner<kPlanar, kPlanar>();
+  belief.mean = mean.head<kPlanarSize>();
+  belief.covariance = covariance.topLeftCorner<kPlanarSize, kPlanarSize>();
   return belief;
 }
 
@@ -66,21 +65,11 @@ void PseudorangeBelief::propagate(const PreintegratedOdometry& odometry, const M
                                   const SatelliteSlots& slots) {
   const double dt = odometry.duration();
   const double moving = odometry.moving_time();
-  const Eigen::Matrix2d R = rotation(mean(kYaw));
-  const Eigen::Vector2d d = R * odometry.displacement(mean(kScale), mean(kGyroBias));
-
-  // F = I + A on rows (x, y, yaw) and columns (yaw, scale, gyro bias); the clock moves by its drift.
-  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-  A.topRows<2>() << Eigen::Vector2d(-d.y(), d.x()), R * odometry.by_scale(), R * odometry.by_gyro_bias();
-  A(2, 2) = -moving;
   Matrix& P = covariance;
-  P.topRows<3>() += (A * P.middleRows<3>(kYaw)).eval();
-  P.leftCols<3>() += (P.middleCols<3>(kYaw) * A.transpose()).eval();
+  const Eigen::Matrix2d R = move_planar(mean, P, odometry);
   P.row(kClock) += dt * P.row(kDrift);
   P.col(kClock) += dt * P.col(kDrift);
   mean(kClock) += dt * mean(kDrift);
-  mean(kYaw) = wrap_angle(mean(kYaw) + odometry.turn(mean(kGyroBias)));
-  mean.head<2>() += d;
 
   const double slipping = law.always ? dt : moving;
   P(kYaw, kYaw) += square(law.yaw_noise) * slipping;
@@ -145,13 +134,9 @@ void PseudorangeBelief::add_noise(const PreintegratedOdometry& odometry, const E
   const double dt = odometry.duration();
   const double moving = odometry.moving_time();
   Matrix& P = covariance;
-  Eigen::Matrix3d G = Eigen::Matrix3d::Identity();
-  G.topLeftCorner<2, 2>() = R;
-  P.topLeftCorner<3, 3>() += G * odometry.covariance() * G.transpose();
+  add_odometry_noise(P, odometry, R, odometry_noise);
   P(kX, kX) += square(noise.position_walk) * moving;
   P(kY, kY) += square(noise.position_walk) * moving;
-  P(kScale, kScale) += square(odometry_noise.scale_walk) * moving;
-  P(kGyroBias, kGyroBias) += square(odometry_noise.gyro_bias_walk) * moving;
   P(kUp, kUp) += square(noise.up_walk) * moving;
   P(kClock, kClock) += square(noise.clock_walk) * dt;
   P(kDrift, kDrift) += square(noise.drift_walk) * dt;

@@ -56,7 +56,7 @@ class SparseRow {
 /// [m/s], and one number in metres for each slot: the slowly varying bias of a satellite in line of sight, or
 /// the offset of another constellation's clock. Storage is of fixed size.
 struct PseudorangeBelief {
-  enum State : int { kUp = kGyroBias + 1, kClock, kDrift, kVelocityEast, kVelocityNorth, kFixed };
+  enum State : int { kUp = kPlanarSize, kClock, kDrift, kVelocityEast, kVelocityNorth, kFixed };
   static constexpr int kMaxSize = kFixed + SatelliteSlots::kCapacity;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSize, 1>;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxSize, kMaxSize>;
@@ -67,7 +67,7 @@ struct PseudorangeBelief {
   [[nodiscard]] Pose2 pose() const { return {mean(kX), mean(kY), mean(kYaw)}; }
   [[nodiscard]] static int state_of(int slot) { return kFixed + slot; }
 
-  /// The part that odometry moves, with no bias of a fix.
+  /// The part that odometry moves.
   [[nodiscard]] Belief planar() const;
 
   /// One more slot at the end: zero, of this variance.

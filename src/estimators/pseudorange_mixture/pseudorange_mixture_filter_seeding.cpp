@@ -66,8 +66,8 @@ PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeS
 std::optional<AntennaPrior> PseudorangeMixtureFilter::antenna_prior(
     const Eigen::Vector2d& antenna_in_base) const {
   if (has_clock_ || bank_.empty()) return std::nullopt;
-  const FixPrediction prediction(bank_.front().planar(), antenna_in_base);
-  return AntennaPrior{prediction.antenna, prediction.antenna_covariance};
+  const AntennaPrediction antenna(bank_.front().planar(), antenna_in_base);
+  return AntennaPrior{antenna.position, antenna.covariance};
 }
 
 bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double probability) {

@@ -64,7 +64,7 @@ TEST(PseudorangeBelief, UpdatesOneByOneEqualTheBatch) {
   EXPECT_LT((belief.covariance - (P - K * H * P)).norm(), 1e-9);
 }
 
-TEST(PseudorangeBelief, PlanarPartMovesAsThatOfTheFixFilter) {
+TEST(PseudorangeBelief, PlanarPartMovesAsItDoesAlone) {
   PseudorangeBelief belief = random_belief(3);
   Belief planar = belief.planar();
   PreintegratedOdometry odometry(kOdometry);
