@@ -4,15 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "core/plain_yaml.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "support/atomic_file.hpp"
+#include "support/csv.hpp"
 #include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
@@ -22,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostBytes = 100 * kMostWaypoints;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some spreadsheets begin a file by it
 
 constexpr const char* kNoOrigin = "waiting for map's origin, to place waypoints by latitude and longitude";
 
@@ -80,19 +78,6 @@ void append(WaypointList& list, const Eigen::Vector2d& point, const Place& place
   list.points.push_back(point);
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream rest(line + ',');
-  for (std::string cell; std::getline(rest, cell, ',');) cells.push_back(trimmed(cell));
-  return cells;
-}
-
 double number(const std::string& cell, const Place& place) {
   const std::optional<double> value = parse_number(cell);
   if (!value) throw place.error("'" + cell + "' is not a number");
@@ -106,21 +91,14 @@ bool named_on_earth(const std::vector<std::string>& names, const Place& place) {
 }
 
 WaypointList from_csv(const std::string& file) {
-  std::ifstream text(file);
-  if (!text) throw ParameterError(file + ": cannot be read");
+  CsvReader text(file);
+  if (!text.open()) throw ParameterError(file + ": cannot be read");
   WaypointList list;
-  bool named = false;
-  Place place{file, 0};
-  for (std::string line; std::getline(text, line);) {
-    if (++place.line == 1 && line.rfind(kByteOrderMark, 0) == 0) line.erase(0, kByteOrderMark.size());
-    line = trimmed(line.substr(0, line.find('#')));
-    if (line.empty()) continue;
-    const std::vector<std::string> cells = cells_of(line);
-    if (!named) {
-      list.on_earth = named_on_earth(cells, place);
-      named = true;
-      continue;
-    }
+  std::vector<std::string> cells;
+  if (!text.read(cells)) return list;
+  list.on_earth = named_on_earth(cells, {file, text.line()});
+  while (text.read(cells)) {
+    const Place place{file, text.line()};
     if (cells.size() != 2) throw place.error(std::to_string(cells.size()) + " cells instead of 2");
     append(list, {number(cells[0], place), number(cells[1], place)}, place);
   }

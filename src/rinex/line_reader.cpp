@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "support/plain_numbers.hpp"
+#include "support/text.hpp"
 
 namespace multipath_localization {
 
@@ -12,14 +13,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 20000;  // 999 kinds of observations of 16 columns each
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::size_t kShortestLabel = 9;  // that still tells
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 /// With its newline, which the last line may lack. What is too long is not kept: no file fills the memory.
 void read_line(std::istream& in, std::string& line) {
@@ -73,11 +67,11 @@ std::string_view LineReader::columns(std::size_t first, std::size_t width) const
 }
 
 std::string LineReader::text(std::size_t first, std::size_t width) const {
-  return std::string(trimmed(columns(first, width)));
+  return std::string(trimmed(columns(first, width), " "));
 }
 
 std::optional<double> LineReader::number(std::string_view field) const {
-  std::string text(trimmed(field));
+  std::string text(trimmed(field, " "));
   if (text.empty()) return std::nullopt;
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');

@@ -1,49 +1,43 @@
 #include "support/csv.hpp"
 
 #include <cmath>
-#include <fstream>
+#include <string_view>
 
 #include "support/plain_numbers.hpp"
+#include "support/text.hpp"
+
 namespace multipath_localization {
 
-namespace {
-
-std::string trimmed(const std::string& text) {
-  const char* const blanks = " \t\r\"";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::size_t begin = 0;
-  while (true) {
-    const std::size_t end = line.find(',', begin);
-    cells.push_back(trimmed(line.substr(begin, end == std::string::npos ? end : end - begin)));
-    if (end == std::string::npos) return cells;
-    begin = end + 1;
+bool CsvReader::read(std::vector<std::string>& cells) {
+  constexpr std::string_view kBlanks = " \t\r\"";
+  cells.clear();
+  for (std::string text; cells.empty() && std::getline(in_, text);) {
+    if (++line_ == 1 && text.rfind(kByteOrderMark, 0) == 0) text.erase(0, kByteOrderMark.size());
+    std::string_view rest = std::string_view(text).substr(0, text.find('#'));
+    if (trimmed(rest, kBlanks).empty()) continue;
+    for (std::size_t comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',')) {
+      cells.emplace_back(trimmed(rest.substr(0, comma), kBlanks));
+      rest.remove_prefix(comma + 1);
+    }
+    cells.emplace_back(trimmed(rest, kBlanks));
   }
+  return !cells.empty();
 }
-
-}  // namespace
 
 CsvTable::CsvTable(const std::string& file, const std::vector<std::string>& required) : file_(file) {
-  std::ifstream in(file);
-  std::string line;
-  if (!in || !std::getline(in, line)) throw DriveError(file + ": cannot be read or is empty");
-  const std::vector<std::string> header = split(line);
+  CsvReader in(file);
+  std::vector<std::string> header;
+  if (!in.read(header)) throw DriveError(file + ": cannot be read or is empty");
   for (std::size_t i = 0; i < header.size(); ++i) columns_[header[i]] = i;
   for (const std::string& column : required) {
-    if (!has(column)) throw DriveError(std::string(file).append(":1: no column ").append(column));
+    if (!has(column)) throw DriveError(file + ":" + std::to_string(in.line()) + ": no column " + column);
   }
-  for (std::size_t number = 2; std::getline(in, line); ++number) {
-    if (trimmed(line).empty()) continue;
-    cells_.push_back(split(line));
-    lines_.push_back(number);
-    if (cells_.back().size() != header.size()) {
-      throw error(rows() - 1, std::to_string(cells_.back().size()) + " cells under " +
-                                  std::to_string(header.size()) + " columns");
+  for (std::vector<std::string> cells; in.read(cells);) {
+    cells_.push_back(cells);
+    lines_.push_back(in.line());
+    if (cells.size() != header.size()) {
+      throw error(rows() - 1, std::to_string(cells.size()) + " cells under " + std::to_string(header.size()) +
+                                  " columns");
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -16,6 +17,26 @@ class DriveError : public std::runtime_error {
 };
 
 constexpr double kLatestTime = 1e11;  ///< of a recording [s]: those that count milliseconds are refused
+
+/// Reads a comma-separated file line by line. A byte-order mark, comments from `#` on, blanks and quotes
+/// round a cell, and lines that then hold nothing are left out.
+class CsvReader {
+ public:
+  explicit CsvReader(const std::string& file) : in_(file) {}
+
+  /// Whether the file could be opened.
+  [[nodiscard]] bool open() const { return in_.is_open(); }
+
+  /// Reads the next line's cells; false at the end of the file.
+  bool read(std::vector<std::string>& cells);
+
+  /// Of the file, from 1: that of the cells read last.
+  [[nodiscard]] int line() const { return line_; }
+
+ private:
+  std::ifstream in_;
+  int line_ = 0;
+};
 
 /// A comma-separated table with a header line. Columns go by name, in any order; text cells are allowed where
 /// nobody asks for a number.
@@ -43,7 +64,7 @@ class CsvTable {
   std::string file_;
   std::map<std::string, std::size_t> columns_;
   std::vector<std::vector<std::string>> cells_;
-  std::vector<std::size_t> lines_;  ///< of the file, from 1
+  std::vector<int> lines_;  ///< of the file, from 1
 };
 
 }  // namespace multipath_localization

@@ -28,6 +28,16 @@ TEST(CsvTable, HeaderNamesDecideColumns) {
   EXPECT_FALSE(table.has("d"));
 }
 
+TEST(CsvTable, LeavesOutCommentsAndAByteOrderMark) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.csv", "\xEF\xBB\xBF# of today\na,b\n1,2 # first\n# none\n3,x\n");
+  const CsvTable table(file, {"a"});
+  EXPECT_EQ(table.rows(), 2u);
+  EXPECT_EQ(table.number(0, "b"), 2.0);
+  EXPECT_EQ(failure_of([&] { static_cast<void>(table.number(1, "b")); }),
+            file + ":5: b is 'x', not a finite number");
+}
+
 TEST(CsvTable, NamesFileLineAndReason) {
   const TemporaryFolder folder;
   const std::string file = folder.write("a.csv", "a,b\n1,2\n\nx,nan\n");
