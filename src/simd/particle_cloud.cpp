@@ -7,9 +7,6 @@ namespace multipath_localization {
 
 namespace {
 
-/// Fewer particles are not worth waking threads for: a second one takes some 200 us of waking an update, and
-/// half the work of 30 000 is 290 us.
-constexpr std::size_t kThreadedFrom = 30000;
 constexpr std::size_t kCandidates = 24;
 constexpr std::size_t kProbes = 512;
 
@@ -72,9 +69,6 @@ double dot(const double* weight, const float* label, std::size_t size) {
 
 }  // namespace
 
-ParticleCloud::ParticleCloud(InstructionSet set, std::size_t threads)
-    : set_(set), threads_(std::make_unique<WorkerPool>(threads)) {}
-
 void ParticleCloud::reset(std::size_t size) {
   for (auto* values : {&x_, &y_, &yaw_, &log_weight_}) values->assign(size, 0.0);
   factor_.resize(size);
@@ -104,25 +98,10 @@ PoseBlock ParticleCloud::poses(std::size_t block) {
   return {&x_[first], &y_[first], &yaw_[first], block_length(block, size())};
 }
 
-void ParticleCloud::for_each_block(std::size_t size, const std::function<void(std::size_t)>& work) {
-  const std::size_t blocks = blocks_of(size);
-  if (size >= kThreadedFrom) return threads_->for_each(blocks, work);
-  for (std::size_t block = 0; block < blocks; ++block) work(block);
-}
-
-PoseSums ParticleCloud::sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work) {
-  block_sums_.resize(blocks_of(size()));
-  const auto work_and_sum = [&](std::size_t block) {
-    work(block);
-    block_sums_[block] =
-        pose_sums(set_, poses(block), weights_.relative(block), &member_[block_begin(block)], reference);
-  };
-  for_each_block(size(), std::cref(work_and_sum));
-  PoseSums sums;
-  for (std::size_t block = 0; block < block_sums_.size(); ++block) {
-    sums.add(weights_.scale(block), block_sums_[block]);
-  }
-  return sums;
+void ParticleCloud::add_block(std::size_t block, const Pose2& reference, PoseSums& sums) {
+  const float* members = &member_[block_begin(block)];
+  sums.add(weights_.scale(block),
+           pose_sums(set_, poses(block), weights_.relative(block), members, reference));
 }
 
 double ParticleCloud::mean_label() const {
@@ -157,10 +136,12 @@ PoseNeighbourhood ParticleCloud::dominant_neighbourhood(double distance, double 
 }
 
 PoseSums ParticleCloud::choose_members(const PoseNeighbourhood& within) {
-  const auto mark = [&](std::size_t block) {
+  PoseSums sums;
+  for (std::size_t block = 0; block < blocks_of(size()); ++block) {
     mark_members(set_, poses(block), within, &member_[block_begin(block)]);
-  };
-  return sums_after(within.centre, std::cref(mark));
+    add_block(block, within.centre, sums);
+  }
+  return sums;
 }
 
 /// In plain code, because the gathering instructions of AVX2 are slower than single loads.
@@ -168,18 +149,14 @@ void ParticleCloud::select(const std::vector<std::uint32_t>& ancestors) {
   const std::size_t size = ancestors.size();
   for (auto* values : {&spare_x_, &spare_y_, &spare_yaw_}) values->resize(size);
   for (auto* values : {&spare_member_, &spare_label_}) values->resize(size);
-  const auto gather = [&](std::size_t block) {
-    const std::size_t end = block_begin(block) + block_length(block, size);
-    for (std::size_t i = block_begin(block); i < end; ++i) {
-      const std::size_t ancestor = ancestors[i];
-      spare_x_[i] = x_[ancestor];
-      spare_y_[i] = y_[ancestor];
-      spare_yaw_[i] = yaw_[ancestor];
-      spare_member_[i] = member_[ancestor];
-      spare_label_[i] = label_[ancestor];
-    }
-  };
-  for_each_block(size, std::cref(gather));
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t ancestor = ancestors[i];
+    spare_x_[i] = x_[ancestor];
+    spare_y_[i] = y_[ancestor];
+    spare_yaw_[i] = yaw_[ancestor];
+    spare_member_[i] = member_[ancestor];
+    spare_label_[i] = label_[ancestor];
+  }
   x_.swap(spare_x_);
   y_.swap(spare_y_);
   yaw_.swap(spare_yaw_);

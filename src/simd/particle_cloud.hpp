@@ -2,23 +2,20 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <vector>
 
 #include "simd/block.hpp"
 #include "simd/block_weights.hpp"
 #include "simd/instruction_set.hpp"
 #include "simd/pose_moments.hpp"
-#include "support/worker_pool.hpp"
 
 namespace multipath_localization {
 
 /// Weighted poses, a thousand or a hundred thousand, worked on block by block: what a particle filter does
-/// with them, whatever moves and weighs them. Same bytes for any number of threads.
+/// with them, whatever moves and weighs them.
 class ParticleCloud {
  public:
-  explicit ParticleCloud(InstructionSet set = best_instruction_set(), std::size_t threads = 1);
+  explicit ParticleCloud(InstructionSet set = best_instruction_set()) : set_(set) {}
 
   /// `size` particles at the origin, equally weighted, all of them members.
   void reset(std::size_t size);
@@ -40,10 +37,12 @@ class ParticleCloud {
   /// `first` is the number of the block's first particle.
   template <class Move>
   PoseSums move(const Pose2& reference, const Move& move) {
-    const auto work = [&](std::size_t block) {
+    PoseSums sums;
+    for (std::size_t block = 0; block < blocks_of(size()); ++block) {
       move(poses(block), static_cast<std::uint32_t>(block_begin(block)));
-    };
-    return sums_after(reference, std::cref(work));
+      add_block(block, reference, sums);
+    }
+    return sums;
   }
 
   /// Calls `add(poses, log_weights, factors, labels)` for each block, which multiplies the weights by a
@@ -51,14 +50,13 @@ class ParticleCloud {
   /// particle has any weight left: all are equal then.
   template <class Add>
   bool weigh(const Add& add) {
-    const auto work = [&](std::size_t block) {
+    for (std::size_t block = 0; block < blocks_of(size()); ++block) {
       double* log_weight = &log_weight_[block_begin(block)];
       double* factor = &factor_[block_begin(block)];
       if (has_factors_) take_in(factor, log_weight, block_length(block, size()));
       add(poses(block), log_weight, factor, &label_[block_begin(block)]);
       weights_.set(set_, block, log_weight, factor);
-    };
-    for_each_block(size(), std::cref(work));
+    }
     has_factors_ = weights_.normalise();
     if (!has_factors_) std::fill(log_weight_.begin(), log_weight_.end(), 0.0);
     return has_factors_;
@@ -83,13 +81,10 @@ class ParticleCloud {
   PoseBlock poses(std::size_t block);
   /// Adds the logarithms of factors to those of weights.
   void take_in(const double* factor, double* log_weight, std::size_t size) const;
-  /// By reference, lest the function be copied to the heap.
-  /// Of `size` particles.
-  void for_each_block(std::size_t size, const std::function<void(std::size_t)>& work);
-  PoseSums sums_after(const Pose2& reference, const std::function<void(std::size_t)>& work);
+  /// Adds where a block's members are, relative to the reference.
+  void add_block(std::size_t block, const Pose2& reference, PoseSums& sums);
 
   InstructionSet set_;
-  std::unique_ptr<WorkerPool> threads_;
   std::vector<double> x_;
   std::vector<double> y_;
   std::vector<double> yaw_;
@@ -99,7 +94,6 @@ class ParticleCloud {
   std::vector<float> member_;  ///< 1 or 0
   std::vector<float> label_;
   BlockWeights weights_;
-  std::vector<PoseSums> block_sums_;
   std::vector<double> spare_x_, spare_y_, spare_yaw_;
   std::vector<float> spare_member_, spare_label_;
 };

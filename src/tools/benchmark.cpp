@@ -21,8 +21,7 @@ namespace {
 /// The product's filter as a node calls it: increment, fix, estimate.
 class OurFilter {
  public:
-  OurFilter(std::size_t size, InstructionSet set, int threads = 1)
-      : filter_(workload::parameters(size, threads), 1, set) {
+  OurFilter(std::size_t size, InstructionSet set) : filter_(workload::parameters(size), 1, set) {
     PosePrior prior;
     prior.covariance = Eigen::Vector3d(0.09, 0.09, 0.0025).asDiagonal();
     filter_.start(prior);
@@ -45,10 +44,6 @@ struct Ours : OurFilter {
 
 struct OursPlain : OurFilter {
   explicit OursPlain(std::size_t size) : OurFilter(size, InstructionSet::kPlain) {}
-};
-
-struct OursOnTwo : OurFilter {
-  explicit OursOnTwo(std::size_t size) : OurFilter(size, best_instruction_set(), 2) {}
 };
 
 /// What the stages work on: the particles of a filter at its work.
@@ -147,8 +142,6 @@ class BestOf : public benchmark::ConsoleReporter {
   std::map<std::string, double> best_;
 };
 
-const std::vector<int> kManyParticles = {30000, 50000, 100000};
-
 void print_ratios(const BestOf& best) {
   std::printf("\nCPU time per particle and step, best of the repetitions%24s\n", "ratio");
   for (const char* size : {"/1000", "/10000", "/100000"}) {
@@ -159,19 +152,12 @@ void print_ratios(const BestOf& best) {
   best.print_ratio("MRPT (cheaper likelihood) / ours, M = 10000", "MRPT/10000", "ours/10000");
   best.print_ratio("BFL (cheaper likelihood) / ours, M = 10000", "BFL/10000", "ours/10000");
   best.print_ratio("ours, M = 100000 / M = 1000", "ours/100000", "ours/1000");
-  for (const int size : kManyParticles) {
-    const std::string number = std::to_string(size);
-    best.print_ratio("time of one thread / two, M = " + number, "ours, time on one/" + number,
-                     "ours, time on two/" + number);
-  }
 }
 
 void register_all() {
   register_full_step<Ours>("ours");
   register_full_step<OursPlain>("ours, plain");
   register_full_step<NaiveFilter>("naive");
-  register_full_step<Ours>("ours, time on one", kManyParticles)->UseRealTime();
-  register_full_step<OursOnTwo>("ours, time on two", kManyParticles)->UseRealTime();
 #ifdef HAVE_MRPT
   register_mrpt();
 #endif

@@ -75,11 +75,10 @@ TEST(Allocations, OfTheDefaultFilterAreAFewPerFixAndNonePerIncrement) {
   }
 }
 
-TEST(Allocations, ResamplingAtEveryFixWithThreadsNeedsNone) {
+TEST(Allocations, ResamplingAtEveryFixNeedsNone) {
   NishidaParticleFilterParameters parameters;
   parameters.sampling.min_particles = parameters.sampling.max_particles = 30000;
   parameters.ess_threshold = 60000.0;
-  parameters.threads = 2;
   WindingDrive drive(2);
   FixParticleFilter filter(parameters, 2);
   filter.start(std::nullopt);

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "multipath_localization/core/random.hpp"
-#include "simd/block_resampling.hpp"
 #include "simd/particle_cloud.hpp"
 
 namespace multipath_localization {
@@ -14,8 +13,8 @@ namespace {
 constexpr PoseNeighbourhood kEverything{{}, std::numeric_limits<double>::infinity(), 2.0 * kPi};
 
 /// 40 % round the origin, 60 % round (10, 0).
-ParticleCloud two_clusters(std::size_t size, std::size_t threads = 1) {
-  ParticleCloud cloud(best_instruction_set(), threads);
+ParticleCloud two_clusters(std::size_t size) {
+  ParticleCloud cloud;
   cloud.reset(size);
   for (std::size_t i = 0; i < size; ++i) {
     RandomStream random(6, 0, static_cast<std::uint32_t>(i));
@@ -111,42 +110,6 @@ TEST(ParticleCloud, SelectionCopiesPosesAndLabelsWithEqualWeights) {
   EXPECT_NEAR(cloud.mean_label(), pose.y, 1e-6);
   EXPECT_NEAR(cloud.weights()[77], 1.0 / 1500.0, 1e-12);
   EXPECT_NEAR(cloud.move({}, [](const PoseBlock&, std::uint32_t) {}).members.w, 1.0, 1e-9);
-}
-
-/// What a few steps of a filter leave.
-struct Outcome {
-  PoseSums sums;
-  std::vector<std::uint32_t> ancestors;
-  Pose2 last;
-};
-
-Outcome steps(std::size_t threads) {
-  ParticleCloud cloud = two_clusters(30000, threads);
-  Outcome outcome;
-  for (std::uint32_t step = 1; step < 4; ++step) {
-    cloud.move({}, [&](const PoseBlock& poses, std::uint32_t first) {
-      for (std::size_t i = 0; i < poses.size; ++i) {
-        poses.y[i] += RandomStream(1, step, first + static_cast<std::uint32_t>(i)).normal();
-      }
-    });
-    weigh_by_x(cloud, 9.9, 0.7);
-    systematic_resampling(cloud.instruction_set(), cloud.weights(), cloud.size(), 0.4, outcome.ancestors);
-    cloud.select(outcome.ancestors);
-  }
-  outcome.sums = cloud.choose_members(kEverything);
-  outcome.last = cloud.pose(29999);
-  return outcome;
-}
-
-TEST(ParticleCloud, SameBytesForAnyNumberOfThreads) {
-  const Outcome one = steps(1);
-  for (const std::size_t threads : {2U, 3U}) {
-    const Outcome several = steps(threads);
-    EXPECT_EQ(several.ancestors, one.ancestors);
-    EXPECT_EQ(several.last.y, one.last.y);
-    EXPECT_EQ(several.sums.members.yy, one.sums.members.yy);
-    EXPECT_EQ(several.sums.all.xy, one.sums.all.xy);
-  }
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ FixParticleFilter::FixParticleFilter(const FixParticleFilterParameters& paramete
       seed_(seed),
       bias_radius_(parameters.bias),
       heading_(parameters.heading),
-      particles_(set, static_cast<std::size_t>(parameters.threads)),
+      particles_(set),
       bins_(parameters.sampling) {}
 
 void FixParticleFilter::start(const std::optional<PosePrior>& prior) {

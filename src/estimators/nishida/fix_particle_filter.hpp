@@ -39,7 +39,6 @@ struct FixParticleFilterParameters {
   PointEstimate point_estimate = PointEstimate::kCluster;
   double start_sigma = 1.0;
   double position_sigma_floor = 0.1;
-  int threads = 1;
   SteeringNoiseParameters motion;
   GnssLikelihoodParameters likelihood;
   FixHeadingParameters heading;

@@ -24,8 +24,6 @@ void FixParticleFilterParameters::common_fields(ParameterVisitor& field) {
         "spread of the particles round the first fix, beside sigma_b");
   field("position_sigma_floor", position_sigma_floor, {0.001, 100.0}, "m",
         "added to the published position: a collapsed set of particles is not certain");
-  field("threads", threads, {1, 64}, "1",
-        "processors to work on, from 30000 particles on; the result is the same for any number");
   motion.fields(field);
   likelihood.fields(field);
   heading.fields(field);

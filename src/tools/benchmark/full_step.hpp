@@ -3,7 +3,6 @@
 #include <benchmark/benchmark.h>
 
 #include <string>
-#include <vector>
 
 #include "tools/benchmark/workload.hpp"
 
@@ -32,11 +31,10 @@ void full_step(benchmark::State& state) {
 }
 
 template <class Filter>
-benchmark::internal::Benchmark* register_full_step(const std::string& name,
-                                                   const std::vector<int>& sizes = {1000, 10000, 100000}) {
+void register_full_step(const std::string& name) {
   auto* full = benchmark::RegisterBenchmark(name.c_str(), full_step<Filter>);
-  for (const int size : sizes) full->Arg(size);
-  return full->MinTime(0.05)->Repetitions(15);
+  for (const int size : {1000, 10000, 100000}) full->Arg(size);
+  full->MinTime(0.05)->Repetitions(15);
 }
 
 /// The filters of other libraries, a file each: their headers do not bear each other. Defined where the

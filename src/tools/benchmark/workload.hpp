@@ -32,10 +32,9 @@ inline GnssFix fix(int step) {
 }
 
 /// The method of [NIS] with all its terms, resampled at every fix.
-inline NishidaParticleFilterParameters parameters(std::size_t size, int threads = 1) {
+inline NishidaParticleFilterParameters parameters(std::size_t size) {
   NishidaParticleFilterParameters parameters;
   parameters.sampling.min_particles = parameters.sampling.max_particles = static_cast<int>(size);
-  parameters.threads = threads;
   parameters.ess_threshold = 2.0 * static_cast<double>(size);
   parameters.heading.fix_heading = FixHeadingSource::kPrinted;
   parameters.heading.fix_heading_distance = 0.0;

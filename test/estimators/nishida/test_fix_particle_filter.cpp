@@ -77,25 +77,6 @@ TEST(FixParticleFilter, InnovationIsThatOfTheAntenna) {
   EXPECT_LT(result.nis, 9.0);
 }
 
-TEST(FixParticleFilter, ThreadsDoNotChangeTheResult) {
-  std::vector<PoseEstimate> ends;
-  for (const int threads : {1, 2}) {
-    NishidaParticleFilterParameters parameters;
-    parameters.sampling.min_particles = parameters.sampling.max_particles = 31000;
-    parameters.threads = threads;
-    parameters.ess_threshold = 31000.0;
-    WindingDrive drive(19);
-    FixParticleFilter filter(parameters, 19);
-    filter.start(prior_at(drive.truth));
-    drive.run(filter, 2.0);
-    ends.push_back(filter.estimate());
-  }
-  EXPECT_EQ(ends[0].pose.x, ends[1].pose.x);
-  EXPECT_EQ(ends[0].pose.yaw, ends[1].pose.yaw);
-  EXPECT_EQ(ends[0].covariance, ends[1].covariance);
-  EXPECT_EQ(ends[0].effective_sample_size, ends[1].effective_sample_size);
-}
-
 TEST(FixParticleFilter, PlainInstructionsGiveTheSameWithinRounding) {
   std::vector<Pose2> ends;
   for (const InstructionSet set : {InstructionSet::kPlain, best_instruction_set()}) {
