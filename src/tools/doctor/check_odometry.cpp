@@ -67,7 +67,6 @@ Findings check_coordinates(const Observations& seen) {
 }
 
 Findings check_turns(const Observations& seen) {
-  if (misreading(seen)) return {};
   const Motion motion = motion_of(seen);
   const ShapeFit fit = fit_shape(motion.fixes, motion.track);
   if (fit.pieces < kEnoughCurves) {
@@ -90,7 +89,6 @@ Findings check_turns(const Observations& seen) {
 }
 
 Findings check_scale(const Observations& seen) {
-  if (misreading(seen)) return {};
   const Motion motion = motion_of(seen);
   const ShapeFit fit = fit_shape(motion.fixes, motion.track);
   if (fit.pieces < kEnoughCurves) return {untold("odom: too little driving with fixes to tell its scale")};
@@ -104,6 +102,16 @@ Findings check_scale(const Observations& seen) {
       text("odom: fixes go %.3f times as far, over %zu pieces of way", fit.scale, fit.pieces);
   if (std::abs(fit.scale - 1.0) <= kScaleTolerance) return {pass(what)};
   return {fix(what, scale_remedy(fit))};
+}
+
+Findings check_way(const Observations& seen) {
+  Findings found = check_coordinates(seen);
+  if (!found.empty()) return found;
+  for (const auto check : {check_turns, check_scale}) {
+    const Findings more = check(seen);
+    found.insert(found.end(), more.begin(), more.end());
+  }
+  return found;
 }
 
 }  // namespace multipath_localization

@@ -49,6 +49,8 @@ Findings check_coordinates(const Observations& seen);
 Findings check_turns(const Observations& seen);
 /// Way by odometry against way by fixes: scale, where the two have the same shape.
 Findings check_scale(const Observations& seen);
+/// These three: the way of fixes that are misread tells nothing of odometry.
+Findings check_way(const Observations& seen);
 
 /// An IMU, where there is one: whether it has a gyro, how it is mounted, whether it turns as odometry does.
 Findings check_gyro(const Observations& seen);

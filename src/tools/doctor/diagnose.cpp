@@ -21,9 +21,7 @@ Findings diagnose(const Observations& seen) {
                            check_frozen,
                            check_datum,
                            check_twist,
-                           check_coordinates,
-                           check_turns,
-                           check_scale,
+                           check_way,
                            check_gyro,
                            check_velocity}) {
     const Findings found = check(seen);
