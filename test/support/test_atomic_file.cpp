@@ -42,5 +42,21 @@ TEST_F(AtomicFile, LeavesTheOldFileWhereItCannotWrite) {
   EXPECT_EQ(content(file), "old");
 }
 
+TEST_F(AtomicFile, LeavesNothingBesideAFileThatItCannotReplace) {
+  const fs::path file = folder_ / "file";
+  fs::create_directories(file / "that_is_a_folder");
+  EXPECT_THROW(replace_file(file, "new"), std::system_error);
+  EXPECT_FALSE(fs::exists(file.string() + ".new"));
+}
+
+TEST_F(AtomicFile, WritesIntoTheFolderThatTheProgramIsIn) {
+  fs::create_directories(folder_);
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  replace_file("file", "here");
+  fs::current_path(before);
+  EXPECT_EQ(content(folder_ / "file"), "here");
+}
+
 }  // namespace
 }  // namespace multipath_localization
