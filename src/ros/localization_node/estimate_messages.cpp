@@ -77,7 +77,6 @@ GnssBias to_bias(const PoseEstimate& estimate, const std_msgs::Header& header) {
     message.covariance[static_cast<std::size_t>(i)] = estimate.bias_covariance(i / 2, i % 2);
   }
   message.shadow_probability = estimate.shadow_probability;
-  message.ring_radius = estimate.bias.norm();
   return message;
 }
 
