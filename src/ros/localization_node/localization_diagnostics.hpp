@@ -37,7 +37,7 @@ class LocalizationDiagnostics {
 
   void add(const FixReport& report, std::size_t kind) { figures_[kind].add(report); }
   void add_update_time(double seconds) { slowest_update_ = std::max(slowest_update_, seconds); }
-  void add_pose() { ++poses_; }
+  void add_poses(unsigned number) { poses_ += number; }
 
   /// One sentence on a pause, a restart or a breakdown, shown by `filter` until the next report.
   void note(const std::string& sentence) { note_ = sentence; }

@@ -3,21 +3,12 @@
 #include <ros/callback_queue.h>
 #include <ros/console.h>
 
-#include <algorithm>
-#include <utility>
-
 namespace multipath_localization {
 
 namespace {
 
-constexpr std::uint32_t kQueue = 5000;     ///< of odometry, seconds of it at 1 kHz
-constexpr double kLongestHeld = 0.1;       ///< odometry that is summed up [s]
-constexpr double kAnsweredLate = 0.5;      ///< [s]
-constexpr double kTellEvery = 5.0;         ///< [s]
-constexpr double kDiagnosticsEvery = 1.0;  ///< [s]
-constexpr double kWaitForMessages = 0.1;   ///< [s]
-
-ros::TransportHints at_once() { return ros::TransportHints().tcpNoDelay(); }
+constexpr double kLongestHeld = 0.1;      ///< odometry that is summed up [s]
+constexpr double kWaitForMessages = 0.1;  ///< [s]
 
 }  // namespace
 
@@ -29,44 +20,42 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
              DatumSearch(parameters_.gnss, parameters_.odometry.max_speed, parameters_.datum_averaging),
              parameters_.datum_file),
       map_services_(node, datum_, parameters_.frames.map_frame, [this] { forget("a datum was set"); }),
-      odometry_reader_(parameters_.odometry, parameters_.frames.map_frame),
       tf_(node, parameters_.frames),
-      map_to_odom_(parameters_.frames, parameters_.outputs),
       outputs_(node, private_node, parameters_),
-      used_(settings.used_kinds()),
-      gnss_(
-          node, parameters_.gnss, used_, [this](const GnssMessage& m) { on_gnss(m); },
-          [this](const sensor_msgs::NavSatFix& fix) { on_unpaired(fix); }),
-      odometry_input_(
-          "odom", {node.subscribe("odom", kQueue, &LocalizationNode::on_odometry, this, at_once())}, true),
-      gyro_input_(
+      answers_(parameters_, outputs_),
+      requests_(node, private_node, parameters_.frames.map_frame, datum_,
+                {[this](PosePrior prior) {
+                   prior.stamp = answers_.odometry().stamp().toSec();
+                   restart("a pose was set", prior);
+                 },
+                 [this](const std::string& why) { forget(why); },
+                 [this] { diagnostics_.note("switched off by ~toggle"); }}),
+      odometry_(node, parameters_.odometry, parameters_.frames.map_frame,
+                [this](const nav_msgs::Odometry& message) { on_odometry(message); }),
+      gnss_(node, settings.used_kinds(),
+            {parameters_, localizer_, datum_, map_services_, tf_, outputs_, diagnostics_, backlog_,
+             answers_.odometry(), requests_.enabled()},
+            {[this] { watch_clock(); }, [this] { catch_up(); }, [this] { answer(); },
+             [this](const std::string& why) { restart(why); }}),
+      gyro_(
           node, [this](const std::string& frame) { return tf_.antennas().rotation_in_base(frame); },
-          [this](const YawRate& yaw_rate) { on_yaw_rate(yaw_rate); }),
-      diagnostics_({gnss_, odometry_input_, gyro_input_}, localizer_, tf_, backlog_, parameters_),
+          [this](const YawRate& yaw_rate) {
+            if (requests_.enabled()) localizer_.add(yaw_rate);
+          }),
+      diagnostics_({gnss_.inputs(), odometry_.monitor(), gyro_}, localizer_, tf_, backlog_, parameters_),
+      reports_(node,
+               {diagnostics_, gnss_.inputs(), odometry_.monitor(), gyro_, localizer_, requests_.enabled()}),
       reconfiguration_(private_node, [this](ParameterVisitor& field) { tune(field); }),
       backlog_(parameters_.max_lag) {
-  initial_pose_ = node.subscribe("initialpose", 5, &LocalizationNode::on_pose, this);
-  pose_to_set_ = node.subscribe("set_pose", 5, &LocalizationNode::on_pose, this);
-  set_pose_ = node.advertiseService("set_pose", &LocalizationNode::on_set_pose, this);
-  global_localization_ = node.advertiseService("global_localization", &LocalizationNode::on_reset, this);
-  reset_ = private_node.advertiseService("reset", &LocalizationNode::on_reset, this);
-  toggle_ = private_node.advertiseService("toggle", &LocalizationNode::on_toggle, this);
   tf_timer_ =
       node.createTimer(ros::Duration(1.0 / parameters_.outputs.tf_rate), [this](const ros::TimerEvent&) {
         watch_clock();
-        if (enabled_) map_to_odom_.keep_up(ros::Time::now(), parameters_.odometry.max_gap);
+        if (requests_.enabled())
+          answers_.map_to_odom().keep_up(ros::Time::now(), parameters_.odometry.max_gap);
       });
-  diagnostics_timer_ =
-      node.createWallTimer(ros::WallDuration(kDiagnosticsEvery), [this](const ros::WallTimerEvent&) {
-        diagnostics_.report();
-        gnss_.tell_new();
-        gyro_input_.tell(localizer_.gyro());
-      });
-  waiting_timer_ = node.createWallTimer(ros::WallDuration(kTellEvery),
-                                        [this](const ros::WallTimerEvent&) { tell_what_is_missing(); });
   outputs_.publish_changed_state(localizer_, ros::Time());
   ROS_INFO("%s with seed %d; %s, %s; %s -> %s -> %s", parameters_.estimator.c_str(), parameters_.seed,
-           gnss_.described().c_str(), odometry_input_.described().c_str(),
+           gnss_.inputs().described().c_str(), odometry_.monitor().described().c_str(),
            parameters_.frames.map_frame.c_str(), parameters_.frames.odom_frame.c_str(),
            parameters_.frames.base_link_frame.c_str());
 }
@@ -75,75 +64,102 @@ void LocalizationNode::spin() {
   while (ros::ok()) {
     backlog_.begin_turn();
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kWaitForMessages));
-    if (held_.duration() > 0.0) answer_odometry();
-    if (!unplaced_.empty()) weigh_waiting();
+    if (odometry_.held().duration() > 0.0) answer_odometry();
+    gnss_.weigh_waiting();
   }
-  tell_sums();
+  reports_.tell_sums();
 }
 
 void LocalizationNode::tune(ParameterVisitor& field) {
-  map_to_odom_.tune(field);
+  answers_.map_to_odom().tune(field);
   VisitedGroup localizer{[this](ParameterVisitor& inner) { localizer_.tune(inner); }};
   VisitedGroup estimator{[this](ParameterVisitor& inner) { localizer_.tune_estimator(inner); }};
   field.group("localizer", localizer, "");
   field.group(parameters_.estimator, estimator, "");
 }
 
-void LocalizationNode::on_odometry(const nav_msgs::Odometry::ConstPtr& message) {
-  if (!enabled_) return;
+void LocalizationNode::on_odometry(const nav_msgs::Odometry& message) {
+  if (!requests_.enabled()) return;
   watch_clock();
-  odometry_input_.arrived();
-  const CheckedOdometry checked = odometry_reader_.read(*message);
-  odometry_input_.count(checked.reason);
+  const CheckedOdometry checked = odometry_.read(message);
   if (checked.restarted) restart_time("the stamps of odometry have jumped");
-  if (checked.reason != Reason::kAccepted) {
-    if (const std::string why = odometry_input_.complaint(); !why.empty()) ROS_WARN("%s", why.c_str());
-    return;
-  }
+  if (checked.reason != Reason::kAccepted) return;
   const ros::WallTime begin = ros::WallTime::now();
-  if (const auto before = held_.add(checked.increment)) localizer_.add(*before);
-  odometry_ = {with_motion(*message, checked.increment), checked.base_in_odom};
-  if (!std::exchange(started_, true)) resume();
-  unanswered_.push_back(*odometry_);
+  if (const auto before = odometry_.held().add(checked.increment)) localizer_.add(*before);
+  OdometryLog& log = answers_.odometry();
+  if (log.note({with_motion(message, checked.increment), checked.base_in_odom})) resume();
+  log.await_answer();
   if (parameters_.outputs.publish_odom_tf && tf_.broadcaster_of_base().empty()) {
-    map_to_odom_.send_odometry(checked.base_in_odom, message->header.stamp);
+    answers_.map_to_odom().send_odometry(checked.base_in_odom, message.header.stamp);
   }
-  if (backlog_.take(begin) && held_.duration() < kLongestHeld) return backlog_.count_merged();
+  if (backlog_.take(begin) && odometry_.held().duration() < kLongestHeld) return backlog_.count_merged();
   answer_odometry();
-  for (const auto& [kind, early] : std::exchange(early_, {})) use(early);
-  if (!unplaced_.empty()) weigh_waiting();
+  gnss_.use_early();
+  gnss_.weigh_waiting();
   diagnostics_.add_update_time((ros::WallTime::now() - begin).toSec());
 }
 
 void LocalizationNode::catch_up() {
-  if (const auto increment = held_.take()) localizer_.add(*increment);
+  if (const auto increment = odometry_.held().take()) localizer_.add(*increment);
+}
+
+void LocalizationNode::answer() {
+  const std::optional<unsigned> poses = answers_.publish(localizer_, datum_);
+  if (!poses) return restart("the estimate was not finite");
+  diagnostics_.add_poses(*poses);
 }
 
 void LocalizationNode::answer_odometry() {
   catch_up();
-  publish_poses();
-  publish_reports();
+  answer();
+  gnss_.publish_done();
 }
 
-void LocalizationNode::publish_poses() {
-  if (unanswered_.empty()) return;
-  const PoseEstimate estimate = localizer_.estimate();
-  if (estimate.valid && !finite(estimate)) return restart("the estimate was not finite");
-  if (!estimate.valid || !datum_.map()) {
-    const double now = odometry_stamp().toSec();
-    while (unanswered_.front().message.header.stamp.toSec() < now - kAnsweredLate) unanswered_.pop_front();
-    return outputs_.publish_changed_state(localizer_, odometry_stamp());
+void LocalizationNode::restart(const std::string& why, const std::optional<PosePrior>& prior) {
+  ROS_WARN("starting afresh: %s", why.c_str());
+  diagnostics_.note("started afresh: " + why);
+  gnss_.publish_done();
+  localizer_.start(prior);
+  odometry_.held().take();
+  answers_.map_to_odom().jump();
+  answers_.odometry().take_unanswered();
+  gnss_.restart();
+  outputs_.clear();
+  outputs_.publish_changed_state(localizer_, answers_.odometry().stamp());
+}
+
+void LocalizationNode::restart_time(const std::string& why) {
+  answers_.odometry().forget_last();
+  restart(why);
+  answers_.map_to_odom().clear();
+}
+
+void LocalizationNode::forget(const std::string& why) {
+  odometry_.clear();
+  restart_time(why);
+}
+
+void LocalizationNode::resume() {
+  try {
+    const auto saved = answers_.persistence().start(answers_.state(), datum_.map());
+    if (!saved) return;
+    if (!datum_.map()) datum_.set(saved->datum);
+    map_services_.tell_origin(answers_.odometry().stamp());
+    restart(saved->prior.confirmed ? "at the pose that the last run saved"
+                                   : "near the pose that the last run saved, to be confirmed",
+            saved->prior);
+  } catch (const std::exception& error) {
+    ROS_WARN("pose saved in %s does not count: %s", answers_.persistence().file().c_str(), error.what());
+    diagnostics_.note("the saved pose does not count: " + std::string(error.what()));
   }
-  const Pose2 odom_in_map = estimate.pose * inverse(odometry_->base_in_odom);
-  for (const ReadOdometry& odometry : std::exchange(unanswered_, {})) {
-    PoseEstimate then = estimate;
-    then.pose = odom_in_map * odometry.base_in_odom;
-    outputs_.publish(localizer_, then, odometry.message, *datum_.map());
-    diagnostics_.add_pose();
+}
+
+void LocalizationNode::watch_clock() {
+  const ros::Time now = ros::Time::now();
+  if (now.toSec() < latest_clock_.toSec() - parameters_.odometry.time_jump_threshold) {
+    forget("the clock has gone back");
   }
-  if (!estimate.aligned) map_to_odom_.jump();
-  save_pose(estimate);
-  map_to_odom_.send(odom_in_map, odometry_->base_in_odom, odometry_stamp(), ros::Time::now());
+  latest_clock_ = now;
 }
 
 }  // namespace multipath_localization
