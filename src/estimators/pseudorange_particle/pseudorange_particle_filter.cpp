@@ -2,9 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "multipath_localization/core/epoch_check.hpp"
@@ -16,19 +14,12 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr std::size_t kMostHypotheses = 2000;
-constexpr double kYawSigmaFloor = 0.01;    ///< added to the published heading [rad]
-constexpr double kAlignedYawSigma = 0.3;   ///< [rad]
-constexpr double kAlignedDominance = 0.5;  ///< probability mass
-constexpr double kMoving = 0.5;            ///< by Doppler [m/s]
-constexpr double kVelocityLasts = 3.0;     ///< without an epoch [s]
+constexpr double kVelocityLasts = 3.0;        ///< without an epoch [s]
+constexpr double kClockSigma = 3.0;           ///< of a constellation's mean clock, beside its weights [m]
+constexpr double kMostRestartedAtOnce = 0.1;  ///< of the particles: an outage does not make the fix better
 
 double free_or(double sigma, ConstellationClocks constellations) {
   return constellations == ConstellationClocks::kTied ? sigma : std::numeric_limits<double>::infinity();
-}
-
-bool moves(const PseudorangeParticle& particle) {
-  return particle.velocity && particle.velocity->head<2>().norm() > kMoving;
 }
 
 }  // namespace
@@ -36,120 +27,160 @@ bool moves(const PseudorangeParticle& particle) {
 PseudorangeParticleFilter::PseudorangeParticleFilter(const PseudorangeParticleFilterParameters& parameters,
                                                      std::uint64_t seed)
     : parameters_(parameters),
-      seed_(seed),
+      cloud_(parameters, seed),
       inter_system_bias_(free_or(parameters.inter_system_sigma, parameters.constellations)) {}
 
-RandomStream PseudorangeParticleFilter::random(std::size_t particle) const {
-  return RandomStream(seed_, step_, static_cast<std::uint32_t>(particle));
+void PseudorangeParticleFilter::start(const std::optional<PosePrior>& prior) {
+  cloud_.clear();
+  inter_system_bias_.forget();
+  heights_known_ = false;
+  last_increment_ = OdometryIncrement{};
+  lost_since_.reset();
+  now_ = evidence_time_ = time_since_epoch_ = excluded_share_ = 0.0;
+  if (!prior || !usable(*prior)) return;
+  now_ = prior->stamp;
+  cloud_.start_at(*prior);
 }
 
 void PseudorangeParticleFilter::predict(const OdometryIncrement& u) {
   if (!usable(u)) return;
   now_ = u.stamp;
   const OdometryIncrement before = std::exchange(last_increment_, u);
-  if (particles_.empty()) return;
+  if (cloud_.empty()) return;
   time_since_epoch_ += u.duration;
-  if (parameters_.motion.motion == MotionSource::kAuto && time_since_epoch_ > kVelocityLasts)
-    forget_velocities();
-  const bool moving = !standing(u) || std::any_of(rest_.begin(), rest_.end(), moves);
+  if (parameters_.motion.motion == MotionSource::kAuto && time_since_epoch_ > kVelocityLasts) {
+    cloud_.forget_velocities();
+  }
+  const bool moving = !standing(u) || cloud_.moves();
   evidence_time_ += (moving ? 1.0 : parameters_.likelihood.standing_evidence) * u.duration;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    Pose2 pose = particles_.pose(i);
-    RandomStream draw = random(i);
-    move(pose, rest_[i], u, before, parameters_.motion, draw);
-    particles_.set_pose(i, pose);
-  }
-  ++step_;
+  cloud_.move(u, before);
 }
 
-void PseudorangeParticleFilter::forget_velocities() {
-  for (PseudorangeParticle& particle : rest_) particle.velocity.reset();
-}
-
-PseudorangeParticleFilter::Sky PseudorangeParticleFilter::sky_of(const PseudorangeEpoch& epoch) const {
-  Sky sky;
-  sky.observations = usable_observations(epoch);
-  sky.antenna_in_base = epoch.antenna_in_base;
-  const std::vector<double> by_signal = signal_weights(sky.observations);
-  sky.weights =
-      parameters_.weighting == SatelliteWeighting::kSignal ? by_signal : declared_weights(sky.observations);
-  sky.fix = one_sided_position(sky.observations, by_signal, parameters_.robust,
-                               particles_.empty() || !heights_known_ ? Eigen::Vector3d(0.0, 0.0, 0.0)
-                                                                     : mean_antenna(epoch.antenna_in_base));
-  return sky;
-}
-
-Innovation PseudorangeParticleFilter::update(const Measurement& z) {
-  const auto* epoch = std::get_if<PseudorangeEpoch>(&z);
-  if (epoch == nullptr) return refused(Reason::kUnused);
-  if (const auto reason = defect(*epoch)) return refused(*reason);
-  const Sky sky = sky_of(*epoch);
-  if (sky.fix) inter_system_bias_.adopt(*sky.fix);
-  if (particles_.empty()) return start_at(sky);
-  if (!heights_known_) {
-    if (!sky.fix) return refused(Reason::kTooFewSatellites);
-    draw_heights(*sky.fix);
-  }
-  return track(sky);
-}
-
-void PseudorangeParticleFilter::take_stock() {
-  normalise(particles_.log_weight);
-  weights_ = weights_of(particles_.log_weight);
-  effective_sample_size_ = effective_sample_size(weights_);
-  constexpr double kReach = 30.0;  // [m]
-  constexpr double kTurn = 0.6;    // [rad]
-  cluster_ = parameters_.point_estimate == PointEstimate::kMean
-                 ? weights_
-                 : dominant_cluster(particles_, weights_, kReach, kTurn);
-}
-
-Eigen::Vector3d PseudorangeParticleFilter::mean_antenna(const Eigen::Vector2d& antenna_in_base) const {
-  const Eigen::Vector2d position = moments(particles_, cluster_).mean * antenna_in_base;
-  double height = 0.0;
-  double mass = 0.0;
-  for (std::size_t i = 0; i < rest_.size(); ++i) {
-    height += cluster_[i] * rest_[i].height;
-    mass += cluster_[i];
-  }
-  return {position.x(), position.y(), height / mass};
-}
-
-PoseEstimate PseudorangeParticleFilter::estimate() const {
-  PoseEstimate result;
-  result.stamp = now_;
-  if (particles_.empty()) return result;
-  const PoseMoments within = moments(particles_, cluster_);
-  result.valid = true;
-  result.pose = within.mean;
-  result.covariance = within.covariance;
-  result.dominance = std::min(1.0, std::accumulate(cluster_.begin(), cluster_.end(), 0.0));
-  const double floor = square(parameters_.position_sigma_floor);
-  result.covariance.diagonal() += Eigen::Vector3d(floor, floor, square(kYawSigmaFloor));
-  result.position_covariance_overall = floor * Eigen::Matrix2d::Identity();
-  double course_variance = 0.0;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    const Eigen::Vector2d d(particles_.x[i] - result.pose.x, particles_.y[i] - result.pose.y);
-    result.position_covariance_overall += weights_[i] * d * d.transpose();
-    if (rest_[i].velocity) course_variance += weights_[i] * rest_[i].course_variance;
-  }
-  result.covariance(2, 2) += course_variance;
-  result.aligned = result.dominance > kAlignedDominance && result.covariance(2, 2) < square(kAlignedYawSigma);
-  result.shadow_probability = excluded_share_;
-  result.effective_sample_size = effective_sample_size_;
+PreparedEpoch PseudorangeParticleFilter::prepared(const PseudorangeEpoch& epoch) const {
+  PreparedEpoch result;
+  result.observations = usable_observations(epoch);
+  result.antenna_in_base = epoch.antenna_in_base;
+  const std::vector<double> by_signal = signal_weights(result.observations);
+  result.weights = parameters_.weighting == SatelliteWeighting::kSignal
+                       ? by_signal
+                       : declared_weights(result.observations);
+  result.fix =
+      one_sided_position(result.observations, by_signal, parameters_.robust,
+                         cloud_.empty() || !heights_known_ ? Eigen::Vector3d(0.0, 0.0, 0.0)
+                                                           : cloud_.mean_antenna(epoch.antenna_in_base));
   return result;
 }
 
-std::vector<Hypothesis> PseudorangeParticleFilter::hypotheses() const {
-  const std::size_t stride = (particles_.size() + kMostHypotheses - 1) / kMostHypotheses;
-  std::vector<Hypothesis> all;
-  double total = 0.0;
-  for (std::size_t i = 0; i < particles_.size(); i += stride) {
-    all.push_back({particles_.pose(i), weights_[i], Mode::kOpen});
-    total += weights_[i];
+Innovation PseudorangeParticleFilter::update(const Measurement& z) {
+  const auto* measured = std::get_if<PseudorangeEpoch>(&z);
+  if (measured == nullptr) return refused(Reason::kUnused);
+  if (const auto reason = defect(*measured)) return refused(*reason);
+  const PreparedEpoch epoch = prepared(*measured);
+  if (epoch.fix) inter_system_bias_.adopt(*epoch.fix);
+  if (cloud_.empty()) return begin(epoch);
+  if (!heights_known_) {
+    if (!epoch.fix) return refused(Reason::kTooFewSatellites);
+    cloud_.draw_heights(*epoch.fix);
+    heights_known_ = true;
   }
-  for (Hypothesis& hypothesis : all) hypothesis.weight /= total;
-  return all;
+  return track(epoch);
 }
+
+Innovation PseudorangeParticleFilter::begin(const PreparedEpoch& epoch) {
+  const auto fix = parameters_.start == StartPosition::kRobust
+                       ? epoch.fix
+                       : solve_position(epoch.observations, epoch.weights, Eigen::Vector3d::Zero());
+  if (!fix) return refused(Reason::kTooFewSatellites);
+  cloud_.start_near(*fix, epoch.antenna_in_base);
+  heights_known_ = true;
+  LosSubset subset(epoch.observations, epoch.weights, inter_system_bias_, parameters_.subset);
+  cloud_.adopt_velocities(epoch, subset, last_increment_);
+  settle();
+  subset.solve(cloud_.mean_antenna(epoch.antenna_in_base));
+  excluded_share_ = subset.excluded_share();
+  Innovation first;
+  first.reason = Reason::kAccepted;
+  return first;
+}
+
+double PseudorangeParticleFilter::exponent() const {
+  if (parameters_.likelihood.tempering == Tempering::kNone) return 1.0;
+  return std::min(1.0, parameters_.likelihood.evidence_rate * evidence_time_);
+}
+
+Innovation PseudorangeParticleFilter::track(const PreparedEpoch& epoch) {
+  LosSubset subset(epoch.observations, epoch.weights, inter_system_bias_, parameters_.subset);
+  const Innovation result = compare(epoch, subset);
+  const InterSystemBias corrected = corrected_inter_system_bias(subset);
+  const double share = subset.excluded_share();
+  if (!cloud_.weigh(epoch, subset, exponent(), last_increment_)) return miss(epoch);
+  inter_system_bias_ = corrected;
+  excluded_share_ = share;
+  cloud_.take_stock();
+  cloud_.resample_if_uneven();
+  // A few particles try the robust fix at any time, so that a cloud gone astray is contradicted by its own
+  // weights. Departs: [SUZ] has no way back.
+  if (parameters_.reset != Reset::kNever && epoch.fix) {
+    cloud_.restart_some(*epoch.fix, epoch.antenna_in_base,
+                        std::min(kMostRestartedAtOnce, parameters_.restart_rate * time_since_epoch_));
+  }
+  settle();
+  return result;
+}
+
+void PseudorangeParticleFilter::settle() {
+  cloud_.take_stock();
+  lost_since_.reset();
+  evidence_time_ = time_since_epoch_ = 0.0;
+}
+
+Innovation PseudorangeParticleFilter::miss(const PreparedEpoch& epoch) {
+  if (!lost_since_) lost_since_ = now_;
+  const bool lost = now_ - *lost_since_ >= parameters_.reset_after;
+  if (!lost || parameters_.reset == Reset::kNever || !epoch.fix) return refused(Reason::kTooFewSatellites);
+  cloud_.restart_all(*epoch.fix, epoch.antenna_in_base);
+  settle();
+  Innovation result;
+  result.reason = Reason::kAccepted;
+  return result;
+}
+
+Innovation PseudorangeParticleFilter::compare(const PreparedEpoch& epoch, LosSubset& subset) const {
+  Innovation result;
+  result.reason = Reason::kAccepted;
+  const auto solution = subset.solve(cloud_.mean_antenna(epoch.antenna_in_base));
+  if (!solution) return result;
+  const Eigen::Matrix3d covariance = solution->information.inverse();
+  result.innovation = solution->step.head<2>();
+  result.covariance = covariance.topLeftCorner<2, 2>() + estimate().covariance.topLeftCorner<2, 2>();
+  result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
+  return result;
+}
+
+/// By the subset at the mean of the particles, which `compare` left selected.
+InterSystemBias PseudorangeParticleFilter::corrected_inter_system_bias(const LosSubset& subset) const {
+  InterSystemBias bias = inter_system_bias_;
+  bias.wander(time_since_epoch_);
+  const double share = exponent();
+  const auto common = bias.reference() ? subset.clock_residual(*bias.reference()) : std::nullopt;
+  if (!common || !(share > 0.0)) return bias;
+  for (int k = 0; k < kConstellations; ++k) {
+    const auto constellation = static_cast<Constellation>(k);
+    const auto own = subset.clock_residual(constellation);
+    if (!own || constellation == *bias.reference()) continue;
+    const double variance = own->variance + common->variance + square(kClockSigma);
+    bias.correct(constellation, own->mean - common->mean, variance / share);
+  }
+  return bias;
+}
+
+PoseEstimate PseudorangeParticleFilter::estimate() const {
+  PoseEstimate result = cloud_.empty() ? PoseEstimate() : cloud_.estimate();
+  result.stamp = now_;
+  if (!cloud_.empty()) result.shadow_probability = excluded_share_;
+  return result;
+}
+
+std::vector<Hypothesis> PseudorangeParticleFilter::hypotheses() const { return cloud_.hypotheses(); }
 
 }  // namespace multipath_localization

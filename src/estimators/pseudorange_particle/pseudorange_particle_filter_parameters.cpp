@@ -1,4 +1,4 @@
-#include "estimators/pseudorange_particle/pseudorange_particle_filter.hpp"
+#include "estimators/pseudorange_particle/pseudorange_particle_filter_parameters.hpp"
 
 namespace multipath_localization {
 
