@@ -15,15 +15,12 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kLongestFlush = 1.0;     // [s]
-constexpr double kFirstDuration = 0.2;    // data that the first epoch counts for [s]
-constexpr double kLeastDuration = 1e-3;   // [s]
-constexpr double kFullSpeed = 1.0;        // from here on errors change at their full pace [m/s]
-constexpr double kAtRest = 0.1;           // of that pace
-constexpr double kSettledYawSigma = 0.3;  // [rad]
-constexpr double kUnsettle = 0.8;         // mass of the cluster that ends an alignment
+constexpr double kLongestFlush = 1.0;    // [s]
+constexpr double kFirstDuration = 0.2;   // data that the first epoch counts for [s]
+constexpr double kLeastDuration = 1e-3;  // [s]
+constexpr double kFullSpeed = 1.0;       // from here on errors change at their full pace [m/s]
+constexpr double kAtRest = 0.1;          // of that pace
 constexpr std::size_t kCloud = 200;
-constexpr double kAgreementTime = 4.0;  // single epochs do not make a doubt [s]
 
 /// GPS's clock is the reference.
 bool has_offset(Constellation constellation) { return constellation != Constellation::kGps; }
@@ -53,52 +50,41 @@ void set_motion(SlottedEpoch& epoch, const OdometryIncrement& last) {
 
 PseudorangeMixtureFilter::PseudorangeMixtureFilter(const PseudorangeMixtureFilterParameters& parameters,
                                                    std::uint64_t seed)
-    : parameters_(parameters), seed_(seed), odometry_(parameters.odometry) {}
+    : parameters_(parameters),
+      seed_(seed),
+      bank_(parameters.odometry, parameters.receiver),
+      alignment_({parameters.align_probability, parameters.align_distance, parameters.least_agreement}) {}
 
 void PseudorangeMixtureFilter::start(const std::optional<PosePrior>& prior) {
   bank_.clear();
   slots_ = SatelliteSlots();
   signal_ = SignalScale();
-  cluster_ = place_ = DominantCluster();
-  odometry_.restart(0.0, 0.0);
   last_ = OdometryIncrement();
   step_ = 0;
-  last_epoch_ = last_seeding_ = moved_ = settled_over_ = 0.0;
-  agreement_ = 1.0;
-  has_clock_ = aligned_ = false;
+  last_epoch_ = last_seeding_ = moved_ = 0.0;
+  has_clock_ = false;
+  alignment_.restart(std::nullopt);
   if (!prior || !usable(*prior)) return;
   last_.stamp = last_epoch_ = last_seeding_ = prior->stamp;
   PseudorangeBelief belief = unknown_belief();
   belief.mean.head<3>() << prior->pose.x, prior->pose.y, wrap_angle(prior->pose.yaw);
   belief.covariance.topLeftCorner<3, 3>() = prior->covariance;
-  bank_.emplace_back(belief, laws());
-  aligned_ = prior->covariance(kYaw, kYaw) < square(kSettledYawSigma);
-  refresh();
+  bank_.add({PseudorangeHypothesis(belief, laws())});
+  alignment_.restart(prior->covariance(kYaw, kYaw));
+  bank_.refresh(alignment_.aligned());
 }
 
 void PseudorangeMixtureFilter::predict(const OdometryIncrement& u) {
   if (!usable(u)) return;
   last_ = u;
   if (bank_.empty()) return;
-  odometry_.add(u.from_range_rates ? OdometryIncrement{u.stamp, u.duration, 0.0, 0.0} : u);
+  const double summed_up =
+      bank_.add(u.from_range_rates ? OdometryIncrement{u.stamp, u.duration, 0.0, 0.0} : u);
   if (!standing(u)) moved_ += ground_speed(u) * u.duration;
-  if (odometry_.duration() > kLongestFlush) {
-    flush_odometry();
-    refresh();
+  if (summed_up > kLongestFlush) {
+    bank_.move(laws(), slots_);
+    bank_.refresh(alignment_.aligned());
   }
-}
-
-void PseudorangeMixtureFilter::flush_odometry() {
-  for (PseudorangeHypothesis& hypothesis : bank_) {
-    hypothesis.propagate(odometry_, laws(), parameters_.odometry, parameters_.receiver, slots_);
-  }
-}
-
-void PseudorangeMixtureFilter::refresh() {
-  const std::vector<WeightedBelief> particles = planar(bank_);
-  cluster_ = dominant_cluster(particles);
-  place_ = aligned_ ? cluster_ : dominant_cluster(particles, kPi);
-  odometry_.restart(cluster_.belief.mean(kScale), cluster_.belief.mean(kGyroBias));
 }
 
 Innovation PseudorangeMixtureFilter::update(const Measurement& z) {
@@ -109,22 +95,18 @@ Innovation PseudorangeMixtureFilter::update(const Measurement& z) {
 }
 
 Innovation PseudorangeMixtureFilter::weigh(const PseudorangeEpoch& epoch) {
-  flush_odometry();
+  bank_.move(laws(), slots_);
   const SlottedEpoch slotted_epoch = slotted(epoch);
   const bool seen = !slotted_epoch.satellites.empty();
   if (!seen || (!has_clock_ && !seed(slotted_epoch, parameters_.hypotheses, 1.0))) {
-    if (!bank_.empty()) refresh();
+    if (!bank_.empty()) bank_.refresh(alignment_.aligned());
     return refused(Reason::kTooFewSatellites);
   }
-  if (rivals_due()) add_rivals(slotted_epoch);
-  for (PseudorangeHypothesis& hypothesis : bank_) {
-    hypothesis.update(slotted_epoch, laws(), parameters_.errors);
-  }
-  thin_out(bank_, parameters_.least_weight * rival_probability());
-  refresh();
-  update_agreement(slotted_epoch);
-  update_alignment();
-  follow(slots_.retire(last_.stamp - parameters_.slot_time));
+  reseed(slotted_epoch);
+  bank_.update(slotted_epoch, laws(), parameters_.errors, parameters_.least_weight * reseed_probability());
+  bank_.refresh(alignment_.aligned());
+  update_alignment(slotted_epoch);
+  bank_.follow(slots_.retire(last_.stamp - parameters_.slot_time));
   last_epoch_ = last_.stamp;
   moved_ = 0.0;
   ++step_;
@@ -139,7 +121,8 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
   result.age = std::max(0.0, last_.stamp - epoch.stamp);
   result.duration = has_clock_ ? std::max(kLeastDuration, last_.stamp - last_epoch_) : kFirstDuration;
   const double change = pace(result.duration) / kFullSpeed;
-  result.information = result.duration * (has_clock_ && !in_doubt() ? std::clamp(change, kAtRest, 1.0) : 1.0);
+  result.information =
+      result.duration * (has_clock_ && !alignment_.in_doubt() ? std::clamp(change, kAtRest, 1.0) : 1.0);
   result.bias_variance = square(parameters_.receiver.bias_sigma);
   set_motion(result, last_);
   std::vector<SatelliteObservation> observations = usable_observations(epoch);
@@ -147,7 +130,7 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
   for (SatelliteObservation& observation : observations) observation.cn0 -= signal_.strong();
   result.has_rates = std::any_of(observations.begin(), observations.end(),
                                  [](const auto& observation) { return observation.has_doppler(); });
-  follow(slots_.admit(owners_of(observations), last_.stamp));
+  bank_.follow(slots_.admit(owners_of(observations), last_.stamp));
   for (const SatelliteObservation& observation : observations) {
     const auto bias = slots_.find({observation.constellation, observation.satellite});
     const auto offset = slots_.find({observation.constellation, std::nullopt});
@@ -171,75 +154,39 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
 double PseudorangeMixtureFilter::pace(double duration) const {
   if (!last_.from_range_rates) return moved_ / duration;
   if (bank_.empty()) return 0.0;
-  return heaviest().likeliest().mean.segment<2>(PseudorangeBelief::kVelocityEast).norm();
+  return bank_.heaviest().likeliest().mean.segment<2>(PseudorangeBelief::kVelocityEast).norm();
 }
 
-const PseudorangeHypothesis& PseudorangeMixtureFilter::heaviest() const {
-  return *std::max_element(bank_.begin(), bank_.end(),
-                           [](const auto& a, const auto& b) { return a.log_weight < b.log_weight; });
-}
-
-void PseudorangeMixtureFilter::follow(const std::vector<SatelliteSlots::Change>& changes) {
-  for (const SatelliteSlots::Change& change : changes) {
-    for (PseudorangeHypothesis& hypothesis : bank_) {
-      if (change.removed) {
-        hypothesis.remove(*change.removed);
-      } else {
-        hypothesis.append(unknown_variance(change.appended));
-      }
-    }
-  }
-}
-
-double PseudorangeMixtureFilter::unknown_variance(const SlotOwner& owner) const {
-  return square(owner.satellite ? parameters_.receiver.bias_sigma : parameters_.receiver.offset_sigma);
-}
-
-void PseudorangeMixtureFilter::update_agreement(const SlottedEpoch& epoch) {
+void PseudorangeMixtureFilter::update_alignment(const SlottedEpoch& epoch) {
   double expected = 0.0;
-  double found = 0.0;
   for (const SlottedObservation& satellite : epoch.satellites) expected += satellite.prior;
-  const std::vector<double> weights = weights_of(bank_);
-  for (std::size_t i = 0; i < bank_.size(); ++i) found += weights[i] * bank_[i].line_of_sight_share();
-  found *= static_cast<double>(epoch.satellites.size());
-  agreement_ += (found / expected - agreement_) * (1.0 - std::exp(-epoch.duration / kAgreementTime));
-}
-
-void PseudorangeMixtureFilter::update_alignment() {
-  const bool settled = !in_doubt() && cluster_.mass >= parameters_.align_probability &&
-                       cluster_.belief.covariance(kYaw, kYaw) < square(kSettledYawSigma);
-  settled_over_ = settled ? settled_over_ + moved_ : 0.0;
-  if (cluster_.mass < kUnsettle || in_doubt()) aligned_ = false;
-  if (settled && settled_over_ >= parameters_.align_distance) aligned_ = true;
-}
-
-Belief PseudorangeMixtureFilter::current(const Belief& belief) const {
-  Belief moved = belief;
-  moved.propagate(odometry_, parameters_.odometry);
-  return moved;
+  const double found = bank_.line_of_sight_share() * static_cast<double>(epoch.satellites.size());
+  alignment_.compare(found, expected, epoch.duration);
+  const DominantCluster& cluster = bank_.cluster();
+  alignment_.update(cluster.mass, cluster.belief.covariance(kYaw, kYaw), moved_);
 }
 
 PoseEstimate PseudorangeMixtureFilter::estimate() const {
   PoseEstimate result;
   result.stamp = last_.stamp;
   if (bank_.empty()) return result;
-  Belief belief = current(cluster_.belief);
-  if (!aligned_) {
-    const Belief place = current(place_.belief);
+  Belief belief = bank_.current(bank_.cluster().belief);
+  if (!alignment_.aligned()) {
+    const Belief place = bank_.current(bank_.place().belief);
     belief.mean.head<2>() = place.mean.head<2>();
     belief.covariance.topLeftCorner<3, 3>() = place.covariance.topLeftCorner<3, 3>();
   }
   const Eigen::Matrix2d floor = square(parameters_.position_sigma_floor) * Eigen::Matrix2d::Identity();
   result.valid = true;
-  result.aligned = aligned_;
+  result.aligned = alignment_.aligned();
   result.pose = belief.pose();
   result.covariance = belief.covariance.topLeftCorner<3, 3>();
   result.covariance.topLeftCorner<2, 2>() += floor;
-  result.dominance = cluster_.mass;
-  result.position_covariance_overall = place_.overall_position_covariance + floor;
-  result.shadow_probability = cluster_.shadow;
+  result.dominance = bank_.cluster().mass;
+  result.position_covariance_overall = bank_.place().overall_position_covariance + floor;
+  result.shadow_probability = bank_.cluster().shadow;
   double squares = 0.0;
-  for (const double weight : weights_of(bank_)) squares += square(weight);
+  for (const double weight : weights_of(bank_.hypotheses())) squares += square(weight);
   result.effective_sample_size = 1.0 / squares;
   return result;
 }
@@ -247,11 +194,11 @@ PoseEstimate PseudorangeMixtureFilter::estimate() const {
 std::vector<Hypothesis> PseudorangeMixtureFilter::hypotheses() const {
   std::vector<Hypothesis> cloud;
   if (bank_.empty()) return cloud;
-  const std::vector<WeightedBelief> particles = planar(bank_);
-  const std::vector<double> weights = weights_of(bank_);
+  const std::vector<WeightedBelief> particles = planar(bank_.hypotheses());
+  const std::vector<double> weights = weights_of(bank_.hypotheses());
   const auto ancestors = systematic_resampling(weights, kCloud, 0.5);
   for (std::size_t i = 0; i < ancestors.size(); ++i) {
-    const Belief belief = current(particles[ancestors[i]].belief);
+    const Belief belief = bank_.current(particles[ancestors[i]].belief);
     const Eigen::Matrix3d root = belief.covariance.topLeftCorner<3, 3>().llt().matrixL();
     RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
     const Eigen::Vector3d d = root * normals<3>(random);

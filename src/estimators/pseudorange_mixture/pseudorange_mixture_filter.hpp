@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "estimators/pseudorange_mixture/dominant_cluster.hpp"
+#include "estimators/pseudorange_mixture/mixture_alignment.hpp"
+#include "estimators/pseudorange_mixture/pseudorange_bank.hpp"
 #include "estimators/pseudorange_mixture/pseudorange_hypothesis.hpp"
 #include "estimators/pseudorange_mixture/pseudorange_seeding.hpp"
 #include "estimators/pseudorange_mixture/satellite_slots.hpp"
@@ -70,54 +71,37 @@ class PseudorangeMixtureFilter : public Estimator {
   /// Adds `count` hypotheses at random, which share `probability`; at the start they are the first. False
   /// when the epoch does not allow any.
   bool seed(const SlottedEpoch& epoch, int count, double probability);
+  /// Tries other places and headings beside those of the bank, when it is time to.
+  void reseed(const SlottedEpoch& epoch);
+  /// Weight that hypotheses get together which are tried so.
+  [[nodiscard]] double reseed_probability() const {
+    return alignment_.aligned() ? parameters_.watch_probability : parameters_.reseed_probability;
+  }
   [[nodiscard]] PseudorangeBelief unknown_belief() const;
   [[nodiscard]] PseudorangeHypothesis hypothesis_at(const PseudorangeSeed& seed, double yaw,
                                                     const Eigen::Vector2d& antenna_in_base) const;
   [[nodiscard]] std::optional<AntennaPrior> antenna_prior(const Eigen::Vector2d& antenna_in_base) const;
   [[nodiscard]] SlottedEpoch slotted(const PseudorangeEpoch& epoch);
-  /// Makes the changes of the slots in every hypothesis.
-  void follow(const std::vector<SatelliteSlots::Change>& changes);
-  /// Of the state of this owner while nothing is known of it [m^2].
-  [[nodiscard]] double unknown_variance(const SlotOwner& owner) const;
-  void flush_odometry();
   [[nodiscard]] const MotionLaws& laws() const {
     return last_.from_range_rates ? laws_without_wheels() : laws_of_wheels();
   }
-  [[nodiscard]] const PseudorangeHypothesis& heaviest() const;
   /// Speed of the robot [m/s] by the odometry of `duration` [s], or by the heaviest hypothesis without one.
   [[nodiscard]] double pace(double duration) const;
-  void refresh();
-  void update_agreement(const SlottedEpoch& epoch);
-  void update_alignment();
-  [[nodiscard]] bool rivals_due() const;
-  /// Tries other places and headings beside those of the bank.
-  void add_rivals(const SlottedEpoch& epoch);
-  /// Whether far fewer satellites seem to be in line of sight than their signals promise.
-  [[nodiscard]] bool in_doubt() const { return agreement_ < parameters_.least_agreement; }
-  /// Weight that rivals get together.
-  [[nodiscard]] double rival_probability() const {
-    return aligned_ ? parameters_.watch_probability : parameters_.reseed_probability;
-  }
-  [[nodiscard]] Belief current(const Belief& belief) const;
+  void update_alignment(const SlottedEpoch& epoch);
 
   PseudorangeMixtureFilterParameters parameters_;
   std::uint64_t seed_;
   std::uint32_t step_ = 0;
 
-  std::vector<PseudorangeHypothesis> bank_;  ///< none before the first epoch or prior
-  bool has_clock_ = false;                   ///< whether an epoch has been used
+  PseudorangeBank bank_;    ///< none before the first epoch or prior
+  bool has_clock_ = false;  ///< whether an epoch has been used
   SatelliteSlots slots_;
-  DominantCluster cluster_;         ///< of the bank as it is
-  DominantCluster place_;           ///< likewise, whatever the heading
-  PreintegratedOdometry odometry_;  ///< since the bank was last moved
+  MixtureAlignment alignment_;
   SignalScale signal_;
   OdometryIncrement last_;
   double last_epoch_ = 0.0;
   double last_seeding_ = 0.0;
-  double moved_ = 0.0;         ///< distance since the last epoch [m]
-  double settled_over_ = 0.0;  ///< distance with one cluster left [m]
-  double agreement_ = 1.0;     ///< satellites found in line of sight over those expected, of some seconds
-  bool aligned_ = false;
+  double moved_ = 0.0;  ///< distance since the last epoch [m]
 };
 
 }  // namespace multipath_localization

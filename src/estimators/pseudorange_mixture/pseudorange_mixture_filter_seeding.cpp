@@ -45,7 +45,8 @@ PseudorangeBelief PseudorangeMixtureFilter::unknown_belief() const {
 PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeSeed& seed, double yaw,
                                                               const Eigen::Vector2d& antenna_in_base) const {
   using State = PseudorangeBelief;
-  PseudorangeBelief belief = has_clock_ || bank_.empty() ? unknown_belief() : bank_.front().likeliest();
+  PseudorangeBelief belief =
+      has_clock_ || bank_.empty() ? unknown_belief() : bank_.hypotheses().front().likeliest();
   if (has_clock_ || bank_.empty()) {
     belief.mean.head<2>() = seed.position.head<2>() - rotation(yaw) * antenna_in_base;
     belief.mean(kYaw) = yaw;
@@ -55,18 +56,18 @@ PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeS
   for (int slot = 0; slot < slots_.size(); ++slot) {
     const SlotOwner& owner = slots_.owner(slot);
     const int state = State::state_of(slot);
-    if (state == belief.mean.size()) belief.append(unknown_variance(owner));
+    if (state == belief.mean.size()) belief.append(bank_.unknown_variance(owner));
     if (!owner.satellite) belief.mean(state) = seed.offset[static_cast<std::size_t>(owner.constellation)];
   }
   PseudorangeHypothesis hypothesis(belief, laws());
-  if (has_clock_ && !bank_.empty()) hypothesis.learn_from(heaviest());
+  if (has_clock_ && !bank_.empty()) hypothesis.learn_from(bank_.heaviest());
   return hypothesis;
 }
 
 std::optional<AntennaPrior> PseudorangeMixtureFilter::antenna_prior(
     const Eigen::Vector2d& antenna_in_base) const {
   if (has_clock_ || bank_.empty()) return std::nullopt;
-  const AntennaPrediction antenna(bank_.front().planar(), antenna_in_base);
+  const AntennaPrediction antenna(bank_.hypotheses().front().planar(), antenna_in_base);
   return AntennaPrior{antenna.position, antenna.covariance};
 }
 
@@ -85,27 +86,26 @@ bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double
   double turn = random.uniform();
   std::vector<PseudorangeHypothesis> newcomers;
   for (const PseudorangeSeed& seed : seeds) {
-    const bool keeps_heading = aligned_ && newcomers.size() % 2 == 1;
-    const double yaw = keeps_heading ? cluster_.belief.mean(kYaw) : kPi * (2.0 * turn - 1.0);
+    const bool keeps_heading = alignment_.aligned() && newcomers.size() % 2 == 1;
+    const double yaw = keeps_heading ? bank_.cluster().belief.mean(kYaw) : kPi * (2.0 * turn - 1.0);
     newcomers.push_back(hypothesis_at(seed, yaw, epoch.antenna_in_base));
     newcomers.back().log_weight = std::log(probability / static_cast<double>(count));
     turn = std::fmod(turn + kGoldenRatio, 1.0);
   }
   if (!has_clock_) bank_.clear();
-  bank_.insert(bank_.end(), newcomers.begin(), newcomers.end());
+  bank_.add(newcomers);
   has_clock_ = true;
   last_seeding_ = last_.stamp;
   return true;
 }
 
-bool PseudorangeMixtureFilter::rivals_due() const {
-  const double interval = aligned_ ? parameters_.watch_interval : parameters_.reseed_interval;
-  return (moved_ > 0.0 || in_doubt()) && last_.stamp - last_seeding_ > interval;
-}
-
-void PseudorangeMixtureFilter::add_rivals(const SlottedEpoch& epoch) {
-  const int part = aligned_ ? kWatchPart : kReseedPart;
-  seed(epoch, std::max(1, parameters_.hypotheses / part), rival_probability());
+void PseudorangeMixtureFilter::reseed(const SlottedEpoch& epoch) {
+  const bool aligned = alignment_.aligned();
+  const double interval = aligned ? parameters_.watch_interval : parameters_.reseed_interval;
+  const bool of_use = moved_ > 0.0 || alignment_.in_doubt();
+  if (!of_use || last_.stamp - last_seeding_ <= interval) return;
+  seed(epoch, std::max(1, parameters_.hypotheses / (aligned ? kWatchPart : kReseedPart)),
+       reseed_probability());
 }
 
 }  // namespace multipath_localization
