@@ -2,6 +2,7 @@
 
 #include "../../models/sky.hpp"
 #include "estimators/pseudorange_particle/pseudorange_cloud.hpp"
+#include "estimators/pseudorange_particle/pseudorange_particle_filter_parameters.hpp"
 #include "multipath_localization/models/pseudorange/signal_weights.hpp"
 
 namespace multipath_localization {
