@@ -24,7 +24,7 @@ run_packages=(
 )
 test_packages=(
   catkin-lint clang clang-format clangd git libbenchmark-dev libclang-rt-14-dev libgtest-dev mkdocs mkdocs-material
-  python3-nose python3-rostest python3-rosunit rviz
+  python3-nose python3-rostest python3-rosunit rviz universal-ctags
 )
 view_packages=(rviz)
 

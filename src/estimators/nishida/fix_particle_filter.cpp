@@ -126,7 +126,9 @@ Innovation FixParticleFilter::update(const Measurement& z) {
   const double radius =
       bias_radius_.update(fix->position, predicted_ * fix->antenna_in_base, sigma.shadow, now_ - last_fix_);
   if (estimate_.aligned && parameters_.ring.ring_fraction > 0.0) sample_ring(radius, sigma);
-  const GnssLikelihood likelihood = likelihood_of(*fix, radius);
+  const GnssLikelihood likelihood(
+      parameters_.likelihood, *fix, parameters_.ring.shadow_weight, radius,
+      heading_.heading(fix->position - rotation(predicted_.yaw) * fix->antenna_in_base));
   particles_.weigh([&](const PoseBlock& poses, double* log_weight, double* factor, float* shadow_share) {
     likelihood.add_to(particles_.instruction_set(), poses, log_weight, factor, shadow_share);
   });
@@ -143,11 +145,6 @@ Innovation FixParticleFilter::update(const Measurement& z) {
 }
 
 /// Eqs. (27)-(33) of [NIS].
-GnssLikelihood FixParticleFilter::likelihood_of(const GnssFix& fix, double radius) const {
-  return {parameters_.likelihood, fix, parameters_.ring.shadow_weight, radius,
-          heading_.heading(fix.position - rotation(predicted_.yaw) * fix.antenna_in_base)};
-}
-
 Innovation FixParticleFilter::compare(const GnssFix& fix) const {
   const PoseEstimate before = estimate();
   const Eigen::Matrix<double, 2, 3> H = antenna_jacobian(before.pose, fix.antenna_in_base);

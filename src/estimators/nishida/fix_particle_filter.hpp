@@ -70,7 +70,6 @@ class FixParticleFilter : public Estimator {
   void start_at(const PosePrior& prior);
   void start_at(const GnssFix& fix);
   void begin_tracking();
-  [[nodiscard]] GnssLikelihood likelihood_of(const GnssFix& fix, double radius) const;
   [[nodiscard]] Innovation compare(const GnssFix& fix) const;
   void sample_ring(double radius, const FixSigmas& sigma);
   void take_stock();
