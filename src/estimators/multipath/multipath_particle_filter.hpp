@@ -45,6 +45,9 @@ class MultipathParticleFilter : public Estimator {
 
   void start(const std::optional<PosePrior>& prior) override;
   void predict(const OdometryIncrement& u) override;
+  [[nodiscard]] bool uses(std::size_t kind) const override {
+    return kind == kFixKind || kind == kVelocityKind;
+  }
   Innovation update(const Measurement& z) override;
   void tune(ParameterVisitor& field) override;
   [[nodiscard]] PoseEstimate estimate() const override;
