@@ -73,6 +73,9 @@ Scenario parse_scenario(const YAML::Node& source, const std::string& name, const
   }
   WaypointFollowerParameters::refuse_former(steering, "steering/");
   load(steering, scenario.steering, "steering");
+  if (scenario.steering.limits.differential()) {
+    throw ParameterError("steering/base is differential, but simulated robots do not turn on the spot");
+  }
   if (source["sequence"]) {
     YAML::Node sequence;
     sequence["sequence"] = source["sequence"];

@@ -80,7 +80,8 @@ bool PathProgress::crossed(const Eigen::Vector2d& beyond) const {
 bool PathProgress::arrived(const Pose2& pose) const {
   const Eigen::Vector2d ahead = vertices_[next_] - pose.position();
   const double in_reach = ahead.dot(Eigen::Vector2d(std::cos(pose.yaw), std::sin(pose.yaw)));
-  if (ahead.norm() <= rule_.radius && in_reach <= kArrived) return true;
+  if (ahead.norm() <= kArrived) return true;
+  if (!rule_.turns_on_the_spot && ahead.norm() <= rule_.radius && in_reach <= kArrived) return true;
   const double heading = path_.at(path_.length()).heading;
   const Eigen::Vector2d short_of_it = kArrived * Eigen::Vector2d(std::cos(heading), std::sin(heading));
   return crossed(short_of_it - ahead);

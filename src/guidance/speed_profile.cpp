@@ -14,10 +14,11 @@ double braked_from(double end_speed, double deceleration, double distance) {
 
 double limit_in(double curvature, const SpeedLimits& limits) {
   const double driven = std::min(std::abs(curvature), limits.tightest_curvature);
-  if (driven * limits.cruise_speed * limits.cruise_speed <= limits.lateral_acceleration) {
-    return limits.cruise_speed;
+  double speed = limits.cruise_speed;
+  if (driven * speed * speed > limits.lateral_acceleration) {
+    speed = std::sqrt(limits.lateral_acceleration / driven);
   }
-  return std::sqrt(limits.lateral_acceleration / driven);
+  return driven * speed > limits.yaw_rate ? limits.yaw_rate / driven : speed;
 }
 
 }  // namespace

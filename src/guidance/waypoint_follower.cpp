@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "guidance/route_continuation.hpp"
-#include "multipath_localization/guidance/path_tracking.hpp"
 #include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
@@ -14,13 +13,6 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kJustNow = 3.0;  // a planner takes no longer for a route [s]
-/// Of the settling length over the speed [s]: four times the lag of steering and pose of slow bases, from
-/// where on a lag leaves no overshoot of more than a tenth.
-constexpr double kSettlingTime = 0.8;
-constexpr double kSettlingRadii = 0.6;     // turning circles' radii that coming onto a line takes at least
-constexpr double kShortestSettling = 0.5;  // below, it is the noise of poses that is followed [m]
-constexpr double kPlannedBraking = 0.8;    // of the deceleration allowed: the rest makes up for delays
-constexpr double kShortestMean = 0.05;     // of the curvature along the path [m]
 
 double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
 
@@ -79,7 +71,7 @@ void WaypointFollower::move_waypoints(std::vector<Eigen::Vector2d> waypoints) {
   if (waypoints.size() != waypoints_.size()) throw std::invalid_argument("not as many waypoints as before");
   waypoints_ = std::move(waypoints);
   extent_ = extent_of(waypoints_);
-  way_.reset();
+  driver_.reset();
   first_position_.reset();
   trail_.clear();
 }
@@ -101,7 +93,7 @@ void WaypointFollower::take_route(const std::vector<Eigen::Vector2d>& waypoints)
   waypoints_ = waypoints;
   extent_ = extent_of(waypoints_);
   passed_ = 0;
-  way_.reset();
+  driver_.reset();
   if (waypoints_.empty() || trail_.empty() || !trail_.comes_by(waypoints_.front())) return;
   passed_ = joined_at(waypoints_, trail_.latest(), kJustNow * parameters_.cruise_speed);
   const auto target = waypoints_.begin() + static_cast<std::ptrdiff_t>(passed_);
@@ -135,14 +127,14 @@ double WaypointFollower::loop_extent() const {
 void WaypointFollower::skip() {
   if (waypoints_.empty() || finished()) return;
   ++passed_;
-  way_.reset();
+  driver_.reset();
 }
 
 void WaypointFollower::heed(Trust state) {
   if (state != Trust::kNotReady && state != Trust::kLost) return;
   underway_ = false;
   first_position_.reset();
-  way_.reset();
+  driver_.reset();
   trail_.clear();
 }
 
@@ -158,7 +150,7 @@ FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Tru
   underway_ = underway_ || heading_shown(pose.position(), state);
   if (!underway_) return {{pace.ratio * parameters_.cruise_speed, 0.0}, pace.status};
   trail_.add(pose.position());
-  if (!way_) lay_path({pose.position()}, pose.position());
+  if (!driver_) lay_path({pose.position()}, pose.position());
   pass_waypoints(pose);
   return finished() ? end() : steer(pose, pace);
 }
@@ -209,71 +201,46 @@ void WaypointFollower::lay_path(std::vector<Eigen::Vector2d> behind, const Eigen
     behind.push_back(waypoints_[(passed_ + i) % waypoints_.size()]);
   }
   const bool stop_at_end = !loops() && parameters_.law != "nishida";
-  PathProgress progress(
-      std::move(behind), first,
-      {parameters_.switch_radius, parameters_.crossing_width, stop_at_end, parameters_.tightest_curvature()},
-      position);
-  const SpeedLimits limits{parameters_.cruise_speed, parameters_.max_lateral_acceleration,
-                           kPlannedBraking * parameters_.limits.max_deceleration,
-                           parameters_.tightest_curvature()};
-  SpeedProfile speed(progress.path(), limits, stop_at_end ? 0.0 : parameters_.cruise_speed);
-  way_.emplace(Way{std::move(progress), std::move(speed)});
+  const PassingRule rule{parameters_.switch_radius, parameters_.crossing_width, stop_at_end,
+                         parameters_.tightest_curvature(), parameters_.limits.differential()};
+  driver_.emplace(parameters_, PathProgress(std::move(behind), first, rule, position),
+                  stop_at_end ? 0.0 : parameters_.cruise_speed);
 }
 
 void WaypointFollower::lay_path_anew() {
-  if (!way_) return;
+  if (!driver_) return;
   if (finished() || waypoints_.empty()) {
-    way_.reset();
+    driver_.reset();
   } else {
-    lay_path(way_->progress.behind(), way_->progress.position());
+    lay_path(driver_->progress().behind(), driver_->progress().position());
   }
 }
 
 void WaypointFollower::pass_waypoints(const Pose2& pose) {
-  for (std::size_t i = 0; i < waypoints_.size() && !finished() && way_->progress.passes(pose); ++i) {
+  for (std::size_t i = 0; i < waypoints_.size() && !finished() && driver_->progress().passes(pose); ++i) {
     ++passed_;
-    way_->progress.pass_next();
-    if (loops() && way_->progress.left() <= waypoints_.size()) lay_path_anew();
+    driver_->progress().pass_next();
+    if (loops() && driver_->progress().left() <= waypoints_.size()) lay_path_anew();
   }
 }
 
-FollowerOutput WaypointFollower::steer(const Pose2& pose, const Pace& pace) const {
-  const double most = parameters_.max_steering_angle;
+FollowerOutput WaypointFollower::steer(const Pose2& pose, const Pace& pace) {
   const double speed = pace.ratio * parameters_.cruise_speed;
   if (parameters_.law == "nishida") {  // at one speed: Eq. (37) of [NIS]
+    const double most = parameters_.largest_steering_angle();
     return {{speed, std::clamp(steer_to_target(pose), -most, most)}, pace.status};
   }
-  const double deviation = way_->progress.deviation(pose.position());
+  const double deviation = driver_->progress().deviation(pose.position());
   if (parameters_.max_deviation > 0.0 && deviation > parameters_.max_deviation) {
     return {{}, "stopped: " + fixed_text(deviation, 1) + " m off the path", true};
   }
-  const double allowed = std::min(speed, speed_on_path(deviation));
-  return {{allowed, std::clamp(steer_along_path(pose, allowed), -most, most)}, pace.status};
+  const PathCommand along = driver_->command(pose, speed);
+  return {along.command, pace.status, false, along.spin};
 }
 
 double WaypointFollower::steer_to_target(const Pose2& pose) const {
   const double bearing = direction_of(waypoints_[target()] - pose.position());  // Eq. (38) of [NIS]
   return parameters_.k_phi * angle_difference(bearing, pose.yaw);               // Eq. (36) of [NIS]
-}
-
-double WaypointFollower::speed_on_path(double deviation) const {
-  // Who is aside of the goal has a way to go still.
-  const double aside = std::max(0.0, deviation - parameters_.switch_radius);
-  return way_->speed.at(way_->progress.path(), way_->progress.station() - aside);
-}
-
-double WaypointFollower::steer_along_path(const Pose2& pose, double speed) const {
-  const double tightest = parameters_.tightest_curvature();
-  const double settling = std::max({kSettlingTime * speed, kSettlingRadii / tightest, kShortestSettling});
-  const Path& path = way_->progress.path();
-  const double station = way_->progress.station();
-  // The mean over the way that full lock takes asks for no faster steering than there is.
-  const double lock = parameters_.max_steering_angle / parameters_.limits.max_steering_rate;
-  const double middle = station + speed * parameters_.steering_lag;
-  const double half = 0.5 * std::max(speed * lock, kShortestMean);
-  const double ahead = path.mean_curvature(middle - half, middle + half);
-  const double curvature = tracking_curvature(pose, path.at(station), ahead, settling, tightest);
-  return std::atan(parameters_.wheelbase * curvature);
 }
 
 }  // namespace multipath_localization

@@ -9,8 +9,9 @@ void WaypointFollowerParameters::fields(ParameterVisitor& field) {
   field("law", law, {"path_tracking", "nishida"},
         "path_tracking: along lines and arcs through the waypoints; nishida: Eqs. (36)-(38) of [NIS]");
   field("cruise_speed", cruise_speed, {0.0, 100.0}, "m/s", "where the localisation is good");
-  field("wheelbase", wheelbase, {0.01, 100.0}, "m", "front to rear axle");
-  field("max_steering_angle", max_steering_angle, {0.0, 1.5}, "rad", "to either side");
+  field("wheelbase", wheelbase, {0.01, 100.0}, "m",
+        "front to rear axle; differential: of the steering angle on `steering` alone");
+  field("max_steering_angle", max_steering_angle, {0.0, 1.5}, "rad", "front_steering: to either side");
   limits.fields(field);
   field(
       "steering_lag", steering_lag, {0.0, 2.0}, "s",
@@ -54,7 +55,17 @@ void WaypointFollowerParameters::refuse_former(const YAML::Node& source, const s
 }
 
 double WaypointFollowerParameters::tightest_curvature() const {
-  return std::tan(max_steering_angle) / wheelbase;
+  constexpr double kSmallestCircle = 0.2;  // of a differential base, driven: about its own width [m]
+  return limits.differential() ? 1.0 / kSmallestCircle : std::tan(max_steering_angle) / wheelbase;
+}
+
+double WaypointFollowerParameters::largest_steering_angle() const {
+  return limits.differential() ? std::atan(wheelbase * tightest_curvature()) : max_steering_angle;
+}
+
+double WaypointFollowerParameters::time_to_lock() const {
+  return limits.differential() ? limits.max_yaw_rate / limits.max_yaw_acceleration
+                               : max_steering_angle / limits.max_steering_rate;
 }
 
 }  // namespace multipath_localization

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -53,6 +54,30 @@ TEST_P(ShippedScenario, IsDrivenRoundByItsOwnSteering) {
   EXPECT_GE(follower.laps(), 2);
   EXPECT_GT(shadow, 0.25 * steps);
   EXPECT_LT(shadow, 0.6 * steps);
+}
+
+/// Distance from the path, over laps, of a robot that knows where it is.
+TEST(ShippedStreet, IsDrivenOnItsPathToCentimetres) {
+  const Scenario scenario = shipped("street");
+  Simulator simulator(scenario.simulator, 1);
+  WaypointFollower follower(scenario.steering, scenario.waypoints);
+  CommandLimiter limiter(scenario.steering.limits, scenario.steering.wheelbase);
+  double squares = 0.0;
+  double largest = 0.0;
+  int steps = 0;
+  for (; simulator.time() < scenario.duration; ++steps) {
+    const FollowerOutput output = follower.command(simulator.truth(), 0.0, Trust::kGood);
+    const PathProgress& progress = *follower.progress_on_path();
+    const double station = progress.path().nearest(simulator.truth().position(), progress.station() - 1.0,
+                                                   progress.station() + 1.0);
+    const double offset = (progress.path().at(station).position - simulator.truth().position()).norm();
+    squares += offset * offset;
+    largest = std::max(largest, offset);
+    simulator.step(limiter.limited(output.command, output.urgent, simulator.time_step()));
+  }
+  EXPECT_GE(follower.laps(), 2);
+  EXPECT_LT(std::sqrt(squares / steps), 0.03);
+  EXPECT_LT(largest, 0.10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenario, ShippedScenario,

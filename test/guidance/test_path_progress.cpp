@@ -6,7 +6,7 @@
 namespace multipath_localization {
 namespace {
 
-const PassingRule kStop{1.0, 5.0, true, 1.4};
+const PassingRule kStop{1.0, 5.0, true, 1.4, false};
 
 TEST(PathProgress, PassesAWaypointByRadiusByItsLineAndBeyondItAlongThePath) {
   const std::vector<Eigen::Vector2d> line = {{0.0, 0.0}, {20.0, 0.0}, {40.0, 0.0}};

@@ -7,7 +7,7 @@
 namespace multipath_localization {
 namespace {
 
-const SpeedLimits kLimits{3.0, 1.0, 0.5, 1.0};
+const SpeedLimits kLimits{3.0, 1.0, 0.5, 10.0, 1.0};
 
 Path hook() { return Path({{0.0, 0.0}, {30.0, 0.0}, {30.0, 30.0}}, 1.0); }
 
@@ -17,6 +17,14 @@ TEST(SpeedProfile, KeepsTheLateralAccelerationInBends) {
   const double bend = path.station(1);
   EXPECT_NEAR(speed.at(path, bend) * speed.at(path, bend) * path.at(bend).curvature, 1.0, 1e-9);
   EXPECT_EQ(speed.at(path, 5.0), 3.0);
+}
+
+TEST(SpeedProfile, KeepsTheYawRateInBends) {
+  const Path path = hook();
+  SpeedLimits limits = kLimits;
+  limits.yaw_rate = 0.2;
+  EXPECT_NEAR(SpeedProfile(path, limits, 0.0).at(path, path.station(1)) * path.at(path.station(1)).curvature,
+              0.2, 1e-9);
 }
 
 TEST(SpeedProfile, BrakesForBendsAndTheEndAndNeverHarder) {

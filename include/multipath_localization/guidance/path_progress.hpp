@@ -15,6 +15,7 @@ struct PassingRule {
   double width;               ///< or this far aside at most where the line through it is crossed [m]
   bool at_end;                ///< the last waypoint is one to stop at, not one to come by
   double tightest_curvature;  ///< the base can drive [1/m]
+  bool turns_on_the_spot;     ///< the base does: it can go to what lies beside it
 };
 
 /// Where a base is on the path through waypoints, and which of these it has passed.
@@ -22,7 +23,7 @@ struct PassingRule {
 /// A waypoint is passed within `radius` of it, or by crossing the line through it that is perpendicular to
 /// the way there, at most `width` or `radius` aside, or by being so near to what prolongs that way beyond it,
 /// or within `radius` of the path beyond it. One to stop at is passed by crossing that line, or where it no
-/// longer lies ahead within `radius`: that is as near as the base comes.
+/// longer lies ahead within `radius` of a base that cannot turn to it: that is as near as it comes.
 class PathProgress {
  public:
   /// The path through `vertices` in map [m], of which the `first` ones, one at least, lie behind, for a base

@@ -11,6 +11,7 @@ struct SpeedLimits {
   double cruise_speed;          ///< [m/s]
   double lateral_acceleration;  ///< [m/s^2]
   double deceleration;          ///< [m/s^2]
+  double yaw_rate;              ///< [rad/s]
   double tightest_curvature;    ///< it can drive; tighter bends of the path are driven as this one [1/m]
 };
 

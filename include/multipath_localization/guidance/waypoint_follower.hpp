@@ -9,8 +9,7 @@
 #include "multipath_localization/core/motion_command.hpp"
 #include "multipath_localization/core/pose.hpp"
 #include "multipath_localization/core/trust.hpp"
-#include "multipath_localization/guidance/path_progress.hpp"
-#include "multipath_localization/guidance/speed_profile.hpp"
+#include "multipath_localization/guidance/path_driver.hpp"
 #include "multipath_localization/guidance/trail.hpp"
 #include "multipath_localization/guidance/waypoint_follower_parameters.hpp"
 
@@ -22,12 +21,13 @@ struct FollowerOutput {
   MotionCommand command;
   std::string status;
   bool urgent = false;  ///< a stop, because the pose must not be driven by
+  double spin = 0.0;    ///< of a differential base at rest, on the spot [rad/s]
 };
 
-/// Steers a front-wheel-steering robot along waypoints in map, and stops where the pose cannot be driven by.
+/// Steers a robot along waypoints in map, and stops where the pose cannot be driven by.
 ///
-/// The law `path_tracking` follows the Path through them, from where the robot is when it sets out, at the
-/// speed of a SpeedProfile, and comes to rest at the last one. `nishida` steers straight for each, at one
+/// The law `path_tracking` follows the Path through them, from where the robot is when it sets out, and comes
+/// to rest at the last one: PathDriver. `nishida` steers straight for each, at one
 /// speed, as [NIS] does, which circles round a target once missed. When a waypoint is passed: PathProgress.
 ///
 /// With `loop`, a route is driven round where one of its waypoints is farther from the first than what a
@@ -72,9 +72,11 @@ class WaypointFollower {
   [[nodiscard]] bool can_loop() const;       ///< whether the route is wide enough to be driven round
   [[nodiscard]] const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
   /// Where the robot is on its path. Null before it steers, and after a skip until it does.
-  [[nodiscard]] const PathProgress* progress_on_path() const { return way_ ? &way_->progress : nullptr; }
+  [[nodiscard]] const PathProgress* progress_on_path() const {
+    return driver_ ? &driver_->progress() : nullptr;
+  }
   /// The speed along that path, where the pose is known well. Null likewise.
-  [[nodiscard]] const SpeedProfile* speed_profile() const { return way_ ? &way_->speed : nullptr; }
+  [[nodiscard]] const SpeedProfile* speed_profile() const { return driver_ ? &driver_->speed() : nullptr; }
 
  private:
   /// How fast to drive by the pose, and the words for it.
@@ -82,10 +84,6 @@ class WaypointFollower {
     double ratio;  ///< of the cruise speed
     std::string reason;
     std::string status;
-  };
-  struct Way {
-    PathProgress progress;
-    SpeedProfile speed;
   };
 
   [[nodiscard]] Pace pace_by(Trust state, double sigma) const;
@@ -99,18 +97,16 @@ class WaypointFollower {
   void lay_path_anew();  ///< through other waypoints to come, if there is one
   void pass_waypoints(const Pose2& pose);
   [[nodiscard]] FollowerOutput end() const;
-  [[nodiscard]] FollowerOutput steer(const Pose2& pose, const Pace& pace) const;
+  [[nodiscard]] FollowerOutput steer(const Pose2& pose, const Pace& pace);
   /// Eqs. (36) and (38) of [NIS]. Departs: the error is of the heading, where Eq. (36) prints the steering
   /// angle.
   [[nodiscard]] double steer_to_target(const Pose2& pose) const;
-  [[nodiscard]] double speed_on_path(double deviation) const;
-  [[nodiscard]] double steer_along_path(const Pose2& pose, double speed) const;
 
   WaypointFollowerParameters parameters_;
   std::vector<Eigen::Vector2d> waypoints_;
   double extent_;  ///< greatest distance of a waypoint from the first [m]
   std::size_t passed_ = 0;
-  std::optional<Way> way_;                         ///< none: from where the robot is next
+  std::optional<PathDriver> driver_;               ///< none: from where the robot is next
   std::optional<Eigen::Vector2d> first_position_;  ///< since the pose is known
   Trail trail_;
   bool underway_ = false;  ///< the heading has been good enough to steer by

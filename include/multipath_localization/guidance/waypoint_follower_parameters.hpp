@@ -34,8 +34,12 @@ struct WaypointFollowerParameters {
   /// before the key.
   static void refuse_former(const YAML::Node& source, const std::string& path = "");
 
-  /// That the base can drive [1/m].
+  /// That the base can drive [1/m]; a differential one turns on the spot where it is to turn tighter.
   [[nodiscard]] double tightest_curvature() const;
+  /// For which a differential base turns as far as `max_steering_angle` does for another [rad].
+  [[nodiscard]] double largest_steering_angle() const;
+  /// From driving straight to turning as far as it can [s].
+  [[nodiscard]] double time_to_lock() const;
 };
 
 }  // namespace multipath_localization

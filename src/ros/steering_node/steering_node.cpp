@@ -108,15 +108,16 @@ void SteeringNode::drive() {
   const FollowerOutput output = mission_.command(limiter_.carried_forward(pose_, age), age, trust_, sigma_);
   report(output.status);
   urgent_ = output.urgent;
-  if (output.command.speed == 0.0 && limiter_.last().speed != 0.0) return brake(now);
+  const bool to_stand = output.command.speed == 0.0 && output.spin == 0.0;
+  if (to_stand && !limiter_.at_rest()) return brake(now);
   stopping_ = false;
-  const MotionCommand command = limiter_.limited(output.command, urgent_, step_to(now));
+  const MotionCommand command = limiter_.limited(output.command, urgent_, step_to(now), output.spin);
   if (!leaves_to_others()) publish(command, now);
 }
 
 void SteeringNode::brake(const ros::Time& now) {
   const MotionCommand command = limiter_.limited({}, urgent_, step_to(now));
-  stopping_ = command.speed != 0.0;
+  stopping_ = !limiter_.at_rest();
   publish(command, now);
 }
 
@@ -150,7 +151,7 @@ void SteeringNode::publish(const MotionCommand& command, const ros::Time& now) {
   steering_.publish(steering);
   geometry_msgs::Twist twist;
   twist.linear.x = command.speed;
-  twist.angular.z = yaw_rate(command, parameters_.follower.wheelbase);
+  twist.angular.z = limiter_.yaw_rate();
   cmd_vel_.publish(twist);
 }
 

@@ -136,7 +136,7 @@ void drive_all(const Visit& visit) {
 
 Pose2 towards(const Eigen::Vector2d& waypoint) { return {0.0, 0.0, std::atan2(waypoint.y(), waypoint.x())}; }
 
-TEST(DrivenPaths, AreKeptByBasesThatLagWithPosesThatAreLate) {
+TEST(PathDriver, AreKeptByBasesThatLagWithPosesThatAreLate) {
   drive_all([](const Shape& shape, const WaypointFollowerParameters& p, const BaseTraits& traits) {
     const Outcome outcome = drive(shape.waypoints, p, traits, towards(shape.waypoints.front()));
     SCOPED_TRACE(std::string(shape.name) + ", wheelbase " + std::to_string(p.wheelbase) + ", speed " +
@@ -148,7 +148,7 @@ TEST(DrivenPaths, AreKeptByBasesThatLagWithPosesThatAreLate) {
   });
 }
 
-TEST(DrivenPaths, AreKeptBetterThanByRegulatedPurePursuit) {
+TEST(PathDriver, AreKeptBetterThanByRegulatedPurePursuit) {
   constexpr double kTie = 1e-3;  // [m]
   drive_all([](const Shape& shape, const WaypointFollowerParameters& p, const BaseTraits& traits) {
     const Pose2 start = towards(shape.waypoints.front());
@@ -160,7 +160,7 @@ TEST(DrivenPaths, AreKeptBetterThanByRegulatedPurePursuit) {
 
 /// From any heading, along waypoints anywhere, of which the last is far enough from the one before to come
 /// back onto the way to it after any corner.
-TEST(DrivenPaths, OfRandomRoutesKeepTheLimitsAndEndAtRestAtTheGoal) {
+TEST(PathDriver, OfRandomRoutesKeepTheLimitsAndEndAtRestAtTheGoal) {
   std::mt19937 random(1);
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());

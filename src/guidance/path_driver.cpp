@@ -1,0 +1,73 @@
+#include "multipath_localization/guidance/path_driver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "multipath_localization/guidance/path_tracking.hpp"
+
+namespace multipath_localization {
+
+namespace {
+
+/// Of the settling length over the speed [s]: four times the lag of steering and pose of slow bases, from
+/// where on a lag leaves no overshoot of more than a tenth.
+constexpr double kSettlingTime = 0.8;
+constexpr double kSettlingRadii = 0.6;     // turning circles' radii that coming onto a line takes at least
+constexpr double kShortestSettling = 0.5;  // below, it is the noise of poses that is followed [m]
+constexpr double kPlannedBraking = 0.8;    // of the deceleration allowed: the rest makes up for delays
+constexpr double kFacingAside = 1.2;       // of the path: more than it is ever approached at [rad]
+constexpr double kFacing = 0.1;            // along the path [rad]
+constexpr double kShortestMean = 0.05;     // of the curvature along the path [m]
+
+SpeedLimits limits_of(const WaypointFollowerParameters& p) {
+  const double most =
+      p.limits.differential() ? p.limits.max_yaw_rate : std::numeric_limits<double>::infinity();
+  return {p.cruise_speed, p.max_lateral_acceleration, kPlannedBraking * p.limits.max_deceleration, most,
+          p.tightest_curvature()};
+}
+
+}  // namespace
+
+PathDriver::PathDriver(const WaypointFollowerParameters& parameters, PathProgress progress, double end_speed)
+    : parameters_(parameters),
+      progress_(std::move(progress)),
+      speed_(progress_.path(), limits_of(parameters), end_speed) {}
+
+PathCommand PathDriver::command(const Pose2& pose, double most) {
+  const double spin = spin_to_path(pose);
+  if (spin != 0.0) return {{}, spin};
+  const double speed = std::min(most, speed_at(pose));
+  return {{speed, std::atan(parameters_.wheelbase * curvature(pose, speed))}};
+}
+
+double PathDriver::spin_to_path(const Pose2& pose) {
+  if (!parameters_.limits.differential()) return 0.0;
+  const double turn = angle_difference(progress_.path().at(progress_.station()).heading, pose.yaw);
+  spinning_ = std::abs(turn) > (spinning_ ? kFacing : kFacingAside);
+  if (!spinning_) return 0.0;
+  const CommandLimits& limits = parameters_.limits;
+  const double braked = std::sqrt(2.0 * kPlannedBraking * limits.max_yaw_acceleration * std::abs(turn));
+  return std::copysign(std::min(braked, limits.max_yaw_rate), turn);
+}
+
+double PathDriver::speed_at(const Pose2& pose) const {
+  // Who is aside of the goal has a way to go still.
+  const double aside = std::max(0.0, progress_.deviation(pose.position()) - parameters_.switch_radius);
+  return speed_.at(progress_.path(), progress_.station() - aside);
+}
+
+double PathDriver::curvature(const Pose2& pose, double speed) const {
+  const double tightest = parameters_.tightest_curvature();
+  const double settling = std::max({kSettlingTime * speed, kSettlingRadii / tightest, kShortestSettling});
+  const Path& path = progress_.path();
+  const double station = progress_.station();
+  // The mean over the way that full lock takes asks for no faster steering than there is.
+  const double middle = station + speed * parameters_.steering_lag;
+  const double half = 0.5 * std::max(speed * parameters_.time_to_lock(), kShortestMean);
+  const double ahead = path.mean_curvature(middle - half, middle + half);
+  return tracking_curvature(pose, path.at(station), ahead, settling, tightest);
+}
+
+}  // namespace multipath_localization
