@@ -17,6 +17,7 @@ std::string_view to_string(Reason reason) {
     case Reason::kNotFinite: return "not finite";
     case Reason::kInvalidCovariance: return "invalid covariance";
     case Reason::kInvalidPosition: return "invalid position";
+    case Reason::kInvalidOrientation: return "invalid orientation";
     case Reason::kNoFix: return "no fix";
     case Reason::kFrozen: return "frozen";
     case Reason::kRepeated: return "repeated";

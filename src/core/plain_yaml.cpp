@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/eventhandler.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
@@ -117,6 +118,12 @@ YAML::Node plain(const YAML::Node& source) {
 }
 
 YAML::Node parse_yaml(const std::string& text) {
+  // Anywhere, even where quotes or a comment make it harmless: to tell would take a scanner of our own.
+  const std::size_t endless = text.find(":]");
+  if (endless != std::string::npos) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(endless), '\n');
+    throw ParameterError("line " + std::to_string(line) + ": a colon right before a bracket, ':]': write ': ]'");
+  }
   const bool open_end = text.empty() || text.back() != '\n';
   const std::string ended = open_end ? text + '\n' : text;
   std::istringstream in(ended);

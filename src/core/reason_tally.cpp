@@ -14,6 +14,9 @@ std::string_view meaning(Reason reason) {
     case Reason::kNoFix: return "the receiver has no fix, or its status is below fix/min_fix_status";
     case Reason::kInvalidPosition:
       return "out of range, 0, 0, far from the datum, or apart from the others while that was looked for";
+    case Reason::kInvalidOrientation:
+      return "a quaternion not of length 1, or all zero while the pose moves and the twist does not: its "
+             "driver does not fill pose.orientation in";
     case Reason::kInvalidCovariance: return "negative, not finite or above fix/largest_sigma squared";
     case Reason::kInvalidFrame: return "not placed on the robot by tf, or not of this input";
     case Reason::kNotStarted: return "there was no odometry, or no datum";

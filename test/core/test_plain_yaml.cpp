@@ -7,13 +7,22 @@
 namespace multipath_localization {
 namespace {
 
-std::string refusal(const std::string& text) {
+template <class Call>
+std::string reason_of(const Call& call) {
   try {
-    plain(YAML::Load(text));
+    call();
   } catch (const ParameterError& error) {
     return error.what();
   }
   return "";
+}
+
+std::string refusal(const std::string& text) {
+  return reason_of([&] { plain(YAML::Load(text)); });
+}
+
+std::string refusal_to_parse(const std::string& text) {
+  return reason_of([&] { parse_yaml(text); });
 }
 
 TEST(PlainYaml, IsACopyInWhichNothingIsShared) {
@@ -35,19 +44,11 @@ TEST(PlainYaml, RefusesWhatHoldsItself) {
 }
 
 TEST(ParseYaml, TellsOfDepthBeforeTheStackEnds) {
-  const auto refusal_of = [](const std::string& text) -> std::string {
-    try {
-      parse_yaml(text);
-    } catch (const ParameterError& error) {
-      return error.what();
-    }
-    return "";
-  };
-  EXPECT_EQ(refusal_of(std::string(64, '[') + std::string(64, ']')), "");
+  EXPECT_EQ(refusal_to_parse(std::string(64, '[') + std::string(64, ']')), "");
   for (const char* level : {"[", "{a: ", "- ", "? "}) {
     std::string deep;
     for (int i = 0; i < 20000; ++i) deep += level;
-    EXPECT_NE(refusal_of(deep).find("nested over 64 deep"), std::string::npos) << level;
+    EXPECT_NE(refusal_to_parse(deep).find("nested over 64 deep"), std::string::npos) << level;
   }
   EXPECT_THROW(parse_yaml("[1, "), YAML::Exception);
   EXPECT_EQ(parse_yaml("a: 1\n---\nb: 2").size(), 1U) << "the first document";
@@ -59,6 +60,10 @@ TEST(ParseYaml, ComesToAnEndWhereBracesDoNot) {
     EXPECT_THROW(parse_yaml(text), YAML::Exception) << text;
   }
   EXPECT_EQ(parse_yaml("a: b")["a"].as<std::string>(), "b");
+  EXPECT_EQ(refusal_to_parse("- {x: 1}\n- {x: 10, y:]"),
+            "line 2: a colon right before a bracket, ':]': write ': ]'");
+  EXPECT_NE(refusal_to_parse("[a:]"), "");
+  EXPECT_EQ(refusal_to_parse("[a: ]"), "");
 }
 
 TEST(YamlNumber, IsReadAlikeInAnyLocale) {

@@ -19,6 +19,7 @@ enum class Reason {
   kNotFinite,          ///< NaN or infinity in a field that counts
   kInvalidCovariance,  ///< declared covariance negative or not symmetric positive semi-definite
   kInvalidPosition,    ///< latitude or longitude out of range, or further from the datum than the map reaches
+  kInvalidOrientation, ///< quaternion not of length 1, or none where a heading is needed
   kNoFix,              ///< receiver status below the one asked for
   kFrozen,             ///< bit-identical to the fix before, though the robot has driven on
   kRepeated,           ///< bit-identical to the fix before, of a robot that stands or hardly moves

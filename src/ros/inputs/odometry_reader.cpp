@@ -76,7 +76,7 @@ CheckedOdometry OdometryReader::read(const nav_msgs::Odometry& message) {
   const Seen now = seen(message);
   checked.base_in_odom = now.base_in_odom;
   if (tells_no_turn(message, now)) {
-    checked.reason = Reason::kInvalidPosition;
+    checked.reason = Reason::kInvalidOrientation;
     return checked;
   }
   checked.increment = motion(message, now);
@@ -110,7 +110,8 @@ Reason OdometryReader::check_content(const nav_msgs::Odometry& message) const {
   if (!is_short(frame)) return Reason::kInvalidFrame;
   if (!map_frame_.empty() && frame == map_frame_) return Reason::kInvalidFrame;
   if (!finite(message)) return Reason::kNotFinite;
-  if (!to_pose2(message.pose.pose)) return Reason::kInvalidPosition;
+  if (!to_position(message.pose.pose)) return Reason::kInvalidPosition;
+  if (!to_pose2(message.pose.pose)) return Reason::kInvalidOrientation;
   return Reason::kAccepted;
 }
 

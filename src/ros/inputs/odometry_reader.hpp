@@ -47,8 +47,9 @@ struct CheckedOdometry {
 /// | second message in a row that went back by more than     | accepted, `restarted`              |
 /// | `time_jump_threshold` or ahead by more than `max_gap`   |                                    |
 /// | pose, or twist in x, y or yaw, NaN or infinite          | refused: not finite                |
-/// | quaternion not of length 1 (nor all zero), or all zero  | refused: invalid position          |
-/// | while only the position moves; position over 1e7 m      |                                    |
+/// | position over 1e7 m                                     | refused: invalid position          |
+/// | quaternion not of length 1 (nor all zero), or all zero  | refused: invalid orientation       |
+/// | while only the position moves                           |                                    |
 /// | speed or yaw rate beyond the limits                     | refused: too fast                  |
 ///
 /// Covariances of odometry are not looked at. What was refused is bridged by the next message's motion.

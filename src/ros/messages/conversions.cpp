@@ -140,12 +140,18 @@ CheckedDual to_dual(const FixPair& message, const LocalFrame& map, const FixPara
   return checked;
 }
 
-std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose) {
+std::optional<Eigen::Vector2d> to_position(const geometry_msgs::Pose& pose) {
   const geometry_msgs::Point& p = pose.position;
-  const geometry_msgs::Quaternion& q = pose.orientation;
   for (const double coordinate : {p.x, p.y, p.z}) {
     if (!(std::abs(coordinate) <= kFurthestPose)) return {};
   }
+  return Eigen::Vector2d(p.x, p.y);
+}
+
+std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose) {
+  const geometry_msgs::Point& p = pose.position;
+  const geometry_msgs::Quaternion& q = pose.orientation;
+  if (!to_position(pose)) return {};
   if (!has_orientation(pose)) return Pose2{p.x, p.y, 0.0};
   if (!(std::abs(length_of(q) - 1.0) <= kQuaternionTolerance)) return {};
   const double sine = 2.0 * (q.w * q.z + q.x * q.y);

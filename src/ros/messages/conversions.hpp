@@ -104,9 +104,12 @@ double declared_sigma(const sensor_msgs::NavSatFix& message);
 /// By how much the length of a quaternion may differ from 1, as of one typed in with a digit or two.
 inline constexpr double kQuaternionTolerance = 0.03;
 
+/// x and y of a pose in space [m]. Nothing when a coordinate is not finite or over kFurthestPose.
+std::optional<Eigen::Vector2d> to_position(const geometry_msgs::Pose& pose);
+
 /// x, y and yaw of a pose in space. A quaternion of four zeros, as drivers leave it that fill in no pose, is
-/// no turn. Nothing when a number is not finite, the quaternion is not of length one, give or take
-/// kQuaternionTolerance, or the position is over kFurthestPose.
+/// no turn. Nothing where to_position says nothing, or the quaternion is not of length one, give or take
+/// kQuaternionTolerance.
 std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose);
 /// Whether its quaternion is not of four zeros.
 bool has_orientation(const geometry_msgs::Pose& pose);

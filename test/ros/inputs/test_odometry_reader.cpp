@@ -77,7 +77,7 @@ TEST(OdometryReader, APoseWithoutOrientationIsNoMotion) {
     return said;
   };
   EXPECT_EQ(odometry.read(bare(10.0, 0.0, 0.0)).reason, Reason::kAccepted) << "stands";
-  EXPECT_EQ(odometry.read(bare(10.1, 0.0, 0.1)).reason, Reason::kInvalidPosition)
+  EXPECT_EQ(odometry.read(bare(10.1, 0.0, 0.1)).reason, Reason::kInvalidOrientation)
       << "moves, and who knows how";
   EXPECT_EQ(odometry.read(bare(10.2, 1.0, 0.2)).reason, Reason::kAccepted) << "the twist tells";
 }
@@ -198,7 +198,7 @@ TEST(OdometryReader, RefusesNumbersThatAreNone) {
   EXPECT_EQ(reader().read(message(10.0, 0.0, 0.0, {1e308, 0.0, 0.0})).reason, Reason::kInvalidPosition);
   nav_msgs::Odometry turned = message(10.0);
   turned.pose.pose.orientation.w = 3.0;
-  EXPECT_EQ(reader().read(turned).reason, Reason::kInvalidPosition);
+  EXPECT_EQ(reader().read(turned).reason, Reason::kInvalidOrientation);
 }
 
 TEST(OdometryReader, RefusesSpeedsNoRobotReaches) {
