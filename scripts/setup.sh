@@ -15,7 +15,8 @@ build_packages=(
   build-essential catkin cmake libdiagnostic-msgs-dev libdiagnostic-updater-dev
   libdynamic-reconfigure-config-init-mutex-dev libeigen3-dev libgeographiclib-dev libgeometry-msgs-dev
   libnav-msgs-dev librosbag-dev libsensor-msgs-dev libstd-srvs-dev libtf2-geometry-msgs-dev libtf2-ros-dev
-  libtopic-tools-dev libvisualization-msgs-dev libyaml-cpp-dev ros-core-dev ros-message-generation ros-message-runtime
+  libtinyxml2-dev libtopic-tools-dev libvisualization-msgs-dev libyaml-cpp-dev nlohmann-json3-dev
+  ros-core-dev ros-message-generation ros-message-runtime
 )
 run_packages=(
   python3-diagnostic-msgs python3-dynamic-reconfigure python3-geometry-msgs python3-matplotlib

@@ -42,12 +42,12 @@ void check_in_map(const WaypointList& list) {
 }  // namespace
 
 void waypoints(const std::string& bytes) {
-  for (const std::string ending : {".csv", ".yaml"}) {
+  for (const std::string ending : {".csv", ".yaml", ".geojson", ".kml", ".gpx", ".plan", ".waypoints"}) {
     const auto list =
         unless_refused<ParameterError>([&] { return read_waypoints(written("waypoints" + ending, bytes)); });
     if (!list) continue;
     require(list->has_value(), "the file is there");
-    check(**list, ending);
+    check(**list, ending == ".csv" || ending == ".yaml" ? ending : ".geojson");
     check_in_map(**list);
   }
 }

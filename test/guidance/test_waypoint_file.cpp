@@ -1,13 +1,13 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "../core/german_locale.hpp"
+#include "guidance/waypoint_reading.hpp"
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/guidance/waypoint_file.hpp"
+#include "waypoint_file_test.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -15,102 +15,22 @@ namespace {
 namespace fs = std::filesystem;
 using Points = std::vector<Eigen::Vector2d>;
 
-class WaypointFile : public testing::Test {
- protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string holding(const std::string& name, const std::string& content) const {
-    const fs::path file = folder_ / name;
-    std::ofstream(file, std::ios::binary) << content;
-    return file;
-  }
-
-  /// What a file is refused for, after its name; empty when it is not refused.
-  std::string refusal(const std::string& name, const std::string& content) const {
-    const std::string file = holding(name, content);
-    try {
-      read_waypoints(file);
-    } catch (const ParameterError& error) {
-      const std::string text = error.what();
-      EXPECT_EQ(text.rfind(file, 0), 0U) << text;
-      return text.substr(file.size());
-    }
-    return "";
-  }
-
-  const fs::path folder_ = fs::path(testing::TempDir()) / "waypoint_file_test";
-};
-
-TEST_F(WaypointFile, ReadsMapPointsOfCsv) {
-  const WaypointList list =
-      read_waypoints(holding("a.csv", "# field\nx,y\n1,2\n\n-3.5 , 4e1 # gate\n")).value();
-  EXPECT_FALSE(list.on_earth);
-  EXPECT_EQ(list.points, (Points{{1.0, 2.0}, {-3.5, 40.0}}));
-}
-
-TEST_F(WaypointFile, ReadsPlacesOfACsvFromASpreadsheet) {
-  const WaypointList list =
-      read_waypoints(holding("a.csv", "\xEF\xBB\xBFlatitude,longitude\r\n35.5,139.25\r\n")).value();
-  EXPECT_TRUE(list.on_earth);
-  EXPECT_EQ(list.points, (Points{{35.5, 139.25}}));
-}
-
-TEST_F(WaypointFile, ReadsTheFormsOfYaml) {
-  const WaypointList map =
-      read_waypoints(holding("a.yaml", "waypoints:\n  - [1, 2]\n  - {x: 3, y: 4}\n")).value();
-  EXPECT_FALSE(map.on_earth);
-  EXPECT_EQ(map.points, (Points{{1.0, 2.0}, {3.0, 4.0}}));
-  const WaypointList earth =
-      read_waypoints(holding("a.yml", "waypoints:\n  - {longitude: 139.25, latitude: 35.5}\n")).value();
-  EXPECT_TRUE(earth.on_earth);
-  EXPECT_EQ(earth.points, (Points{{35.5, 139.25}}));
-}
-
-TEST_F(WaypointFile, RefusesABadLineOfCsvByItsNumber) {
-  EXPECT_EQ(refusal("a.csv", "x,y\n1,2\n3\n"), ":3: 1 cells instead of 2");
-  EXPECT_EQ(refusal("a.csv", "x,y\n1,2,3\n"), ":2: 3 cells instead of 2");
-  EXPECT_EQ(refusal("a.csv", "x,y\n1,two\n"), ":2: 'two' is not a number");
-  EXPECT_EQ(refusal("a.csv", "x,y\n1,\n"), ":2: '' is not a number");
-  EXPECT_EQ(refusal("a.csv", std::string("x,y\n1\0e9,2\n", 11)).rfind(":2: '1", 0), 0U) << "a zero byte";
-  EXPECT_EQ(refusal("a.csv", "x,y\nnan,1\n"), ":2: a waypoint is not finite");
-  EXPECT_EQ(refusal("a.csv", "x,y\n1,1e9\n"), ":2: a waypoint is farther than 100 km from map's origin");
-  EXPECT_EQ(refusal("a.csv", "latitude,longitude\n35,139\n139,35\n"),
-            ":3: a waypoint is no place on the Earth");
-  EXPECT_EQ(refusal("a.csv", "1,2\n3,4\n"),
-            ":1: the first line names the columns: x,y or latitude,longitude");
-}
-
-TEST_F(WaypointFile, RefusesABadLineOfYamlByItsNumber) {
-  const std::string forms = ": a waypoint is [x, y], {x: , y: } or {latitude: , longitude: }";
-  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, 2]\n  - [1, 2, 3]\n"), ":3" + forms);
-  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - {x: 1, latitude: 3}\n"), ":2" + forms);
-  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - 7\n"), ":2" + forms);
-  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, .nan]\n"), ":2: a waypoint is not finite");
-  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, 2]\n  - {latitude: 1, longitude: 2}\n"),
-            ":3: a point of map among such on Earth, or the reverse");
-  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, two]\n").rfind(":2: ", 0), 0U);
-  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, 2\n").rfind(":3: ", 0), 0U);
-  for (const char* other : {"", "[[1, 2]]", "waypoints: 3", "waypoints: [[1, 2]]\nloop: true"}) {
-    EXPECT_EQ(refusal("a.yaml", other), ":1: the file holds a list named waypoints and nothing else");
-  }
-}
+using WaypointFile = WaypointFileTest;
 
 TEST_F(WaypointFile, RefusesMoreThanItsBounds) {
   std::string many = "x,y\n";
   for (std::size_t i = 0; i < kMostWaypoints; ++i) many += "1,2\n";
   EXPECT_EQ(refusal("a.csv", many), "");
   EXPECT_EQ(refusal("a.csv", many + "1,2\n"), ":10002: more than 10000 waypoints");
-  EXPECT_EQ(refusal("a.csv", std::string(1000001, '#')), ": larger than 1000000 bytes");
+  EXPECT_EQ(refusal("a.csv", std::string(4000001, '#')), ": larger than 4000000 bytes");
 }
 
 TEST_F(WaypointFile, RefusesWhatIsNoFileOfWaypoints) {
   EXPECT_FALSE(read_waypoints(folder_ / "missing.csv").has_value());
   EXPECT_THROW(read_waypoints(folder_ / "missing.txt"), ParameterError);
-  EXPECT_EQ(refusal("a.txt", "x,y\n"), ": a file of waypoints ends in .csv, .yaml or .yml");
+  EXPECT_EQ(
+      refusal("a.txt", "x,y\n"),
+      ": a file of waypoints ends in .csv, .yaml, .yml, .geojson, .json, .kml, .gpx, .plan or .waypoints");
   fs::create_directories(folder_ / "folder.csv");
   EXPECT_THROW(read_waypoints(folder_ / "folder.csv"), ParameterError);
 }
@@ -142,6 +62,25 @@ TEST_F(WaypointFile, IsWrittenAndReadAlikeInAnyLocale) {
 
 TEST_F(WaypointFile, RefusesToWriteAnotherEnding) {
   EXPECT_THROW(write_waypoints(folder_ / "a.txt", {}), ParameterError);
+  EXPECT_THROW(write_waypoints(folder_ / "a.gpx", {true, {{35.0, 139.0}}}), ParameterError);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.gpx"));
+}
+
+TEST(MapFeatures, AreARouteByTheirOnlyLineOrTheirPoints) {
+  const FilePlace where{"file"};
+  MapFeatures features("file");
+  EXPECT_THROW(features.route(), ParameterError) << "nothing";
+  features.add_point({1.0, 2.0}, where);
+  features.add_point({3.0, 4.0}, where);
+  EXPECT_EQ(features.route().points, (Points{{1.0, 2.0}, {3.0, 4.0}}));
+  features.begin_line();
+  for (const double latitude : {5.0, 6.0, 5.0}) features.add_to_line({latitude, 7.0}, where);
+  EXPECT_EQ(features.route().points, (Points{{5.0, 7.0}, {6.0, 7.0}, {5.0, 7.0}}));
+  features.close_ring();
+  EXPECT_EQ(features.route().points, (Points{{5.0, 7.0}, {6.0, 7.0}}));
+  features.begin_line();
+  EXPECT_THROW(features.route(), ParameterError) << "two lines";
+  EXPECT_THROW(features.add_point({91.0, 0.0}, where), ParameterError);
 }
 
 TEST(WaypointList, LiesInMapByTheDatum) {

@@ -41,15 +41,19 @@ void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::o
 /// Waypoints of a file, in the order of driving; all of one kind. By its ending:
 ///   .csv         the columns `x,y` or `latitude,longitude`, named in the first line; `#` begins a comment
 ///   .yaml, .yml  `waypoints:`, a list of `[x, y]`, `{x: , y: }` or `{latitude: , longitude: }`
-/// Nothing where there is no such file. Throws ParameterError, `FILE:LINE: reason`, on the first line that is
-/// anything else.
+///   .geojson, .json, .kml  a line, or the outer ring of a polygon, else the points
+///   .gpx         the route, else the track, else the waypoints
+///   .plan, .waypoints  what QGroundControl, Mission Planner and others save, of waypoints alone
+/// A ring is driven round by `loop`. Nothing where there is no such file. Throws ParameterError,
+/// `FILE:LINE: reason`, on the first part that is anything else.
 std::optional<WaypointList> read_waypoints(const std::string& file);
 
 /// The entries of a list [[x, y], ...] as points in map [m]. Throws ParameterError, naming `path`.
 std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path);
 
-/// Writes a file of waypoints, to 0.1 mm; it is replaced as a whole. Throws ParameterError on another ending
-/// and std::system_error where it cannot write.
+/// Writes a file of waypoints, .csv, .yaml or .geojson, to 0.1 mm; it is replaced as a whole. Throws
+/// ParameterError on another ending, or where GeoJSON cannot hold the list, which is then empty or in x and y
+/// of a map whose origin is not known, and std::system_error where it cannot write.
 void write_waypoints(const std::string& file, const WaypointList& waypoints);
 
 }  // namespace multipath_localization
