@@ -6,7 +6,8 @@ void SteeringNodeParameters::fields(ParameterVisitor& field) {
   follower.fields(field);
   field("autostart", autostart, "drive as soon as the pose allows it, else wait for the service start");
   field("waypoint_file", waypoint_file, {},
-        "waypoints in map or by latitude and longitude, .csv or .yaml, by its full path; empty: none");
+        "waypoints in map or by latitude and longitude, by its full path: .csv, .yaml, .geojson, .kml, .gpx, "
+        ".plan or .waypoints; empty: none");
   field("take_clicked_points", take_clicked_points, "record the points of rviz's tool Publish Point");
   field("watchdog_period", watchdog_period, {0.001, 10.0}, "s",
         "between looks whether the pose has become too old");
