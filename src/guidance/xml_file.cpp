@@ -4,7 +4,10 @@ namespace multipath_localization {
 
 void read_xml(const std::string& file, tinyxml2::XMLDocument& document) {
   document.LoadFile(file.c_str());
-  if (document.Error()) throw FilePlace{file}.error(document.ErrorStr());
+  if (document.Error()) {
+    const int line = document.ErrorLineNum();
+    throw FilePlace{file, line > 0 ? std::to_string(line) : ""}.error(document.ErrorName());
+  }
   if (document.RootElement() == nullptr) throw FilePlace{file}.error("no XML element");
 }
 
