@@ -122,7 +122,8 @@ YAML::Node parse_yaml(const std::string& text) {
   const std::size_t endless = text.find(":]");
   if (endless != std::string::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(endless), '\n');
-    throw ParameterError("line " + std::to_string(line) + ": a colon right before a bracket, ':]': write ': ]'");
+    throw ParameterError("line " + std::to_string(line) +
+                         ": a colon right before a bracket, ':]': write ': ]'");
   }
   const bool open_end = text.empty() || text.back() != '\n';
   const std::string ended = open_end ? text + '\n' : text;

@@ -13,9 +13,9 @@ namespace multipath_localization {
 YAML::Node plain(const YAML::Node& source);
 
 /// The first document of a text, as it stands there. Throws ParameterError where it is nested over 64 deep,
-/// of which yaml-cpp's parser before 0.7 runs out of stack, or where it holds `:]`, of which that parser comes
-/// to no end, and YAML::Exception where it is no YAML. A text that ends within braces and a colon, `{key:`, is
-/// read as if a line ended there, for the same reason.
+/// of which yaml-cpp's parser before 0.7 runs out of stack, or where it holds `:]`, of which that parser
+/// comes to no end, and YAML::Exception where it is no YAML. A text that ends within braces and a colon,
+/// `{key:`, is read as if a line ended there, for the same reason.
 YAML::Node parse_yaml(const std::string& text);
 
 /// The same of a file. Throws ParameterError also where it cannot be read.

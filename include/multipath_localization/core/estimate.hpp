@@ -19,22 +19,22 @@ enum class Reason {
   kNotFinite,          ///< NaN or infinity in a field that counts
   kInvalidCovariance,  ///< declared covariance negative or not symmetric positive semi-definite
   kInvalidPosition,    ///< latitude or longitude out of range, or further from the datum than the map reaches
-  kInvalidOrientation, ///< quaternion not of length 1, or none where a heading is needed
-  kNoFix,              ///< receiver status below the one asked for
-  kFrozen,             ///< bit-identical to the fix before, though the robot has driven on
-  kRepeated,           ///< bit-identical to the fix before, of a robot that stands or hardly moves
-  kGated,              ///< innovation beyond the gate
-  kZeroStamp,          ///< stamp of zero
-  kFutureStamp,        ///< stamp ahead of the odometry by more than the tolerance
-  kOldStamp,           ///< stamp older than the odometry history reaches
-  kNotStarted,         ///< no odometry yet
-  kInvalidFrame,       ///< frame unknown to tf, or not one this input may have
-  kTooFast,            ///< speed or yaw rate no robot of this kind reaches
-  kTooFewSatellites,   ///< no usable observation, or too few for what the estimator needs
-  kWrongBaseline,      ///< two antennas seen at another distance than they are mounted at
-  kTooManySatellites,  ///< more than any receiver tracks
-  kUnpaired,           ///< a fix of one of two antennas without one of the other at its time
-  kOverload,           ///< not weighed, because the computer does not keep up
+  kInvalidOrientation,  ///< quaternion not of length 1, or none where a heading is needed
+  kNoFix,               ///< receiver status below the one asked for
+  kFrozen,              ///< bit-identical to the fix before, though the robot has driven on
+  kRepeated,            ///< bit-identical to the fix before, of a robot that stands or hardly moves
+  kGated,               ///< innovation beyond the gate
+  kZeroStamp,           ///< stamp of zero
+  kFutureStamp,         ///< stamp ahead of the odometry by more than the tolerance
+  kOldStamp,            ///< stamp older than the odometry history reaches
+  kNotStarted,          ///< no odometry yet
+  kInvalidFrame,        ///< frame unknown to tf, or not one this input may have
+  kTooFast,             ///< speed or yaw rate no robot of this kind reaches
+  kTooFewSatellites,    ///< no usable observation, or too few for what the estimator needs
+  kWrongBaseline,       ///< two antennas seen at another distance than they are mounted at
+  kTooManySatellites,   ///< more than any receiver tracks
+  kUnpaired,            ///< a fix of one of two antennas without one of the other at its time
+  kOverload,            ///< not weighed, because the computer does not keep up
 };
 
 /// "accepted", "not finite", ...: one stable text per reason.

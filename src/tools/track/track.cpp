@@ -54,7 +54,7 @@ class Thinner {
 };
 
 std::string topics_of(const rosbag::Bag& bag) {
-  const rosbag::View all(bag);
+  rosbag::View all(bag);
   std::set<std::string> topics;
   for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
     if (connection->datatype == "sensor_msgs/NavSatFix") topics.insert(connection->topic);
