@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
   const bool known = gpx || ending == ".geojson" || ending == ".json";
   if (first == "--help" || argc < 3 || argc > 4 || !known) {
     std::ostream& to = first == "--help" ? std::cout : std::cerr;
-    to << "usage: bag_to_track IN.bag OUT.gpx|OUT.geojson [TOPIC]\n\n"
+    to << "usage: bag_to_track IN.bag OUT.gpx|OUT.geojson\n"
+          "       bag_to_track IN.bag OUT.gpx|OUT.geojson TOPIC\n\n"
           "Writes where a robot drove as a track with times, a point every 0.2 m. TOPIC is of\n"
           "sensor_msgs/NavSatFix: /gps/filtered, where localization_node says the base is, unless told "
           "otherwise.\n";
