@@ -8,7 +8,7 @@ namespace {
 
 const Eigen::Matrix2d kDeclared = (Eigen::Matrix2d() << 0.01, 0.002, 0.002, 0.03).finished();
 
-ReceiverCovariance of_source(const std::string& source, double scale = 1.0) {
+ReceiverCovariance of_source(CovarianceSource source, double scale = 1.0) {
   ReceiverCovarianceParameters parameters;
   parameters.source = source;
   parameters.scale = scale;
@@ -27,14 +27,14 @@ double drive(ReceiverCovariance& covariance, int fixes, double sigma, double fro
 }
 
 TEST(ReceiverCovariance, OfTheMessageIsWhatItDeclaresTimesTheScale) {
-  ReceiverCovariance covariance = of_source("message");
+  ReceiverCovariance covariance = of_source(CovarianceSource::kMessage);
   drive(covariance, 50, 5.0);
   EXPECT_EQ(covariance.of(kDeclared), kDeclared) << "to the bit";
-  EXPECT_TRUE(of_source("message", 3.0).of(kDeclared).isApprox(9.0 * kDeclared));
+  EXPECT_TRUE(of_source(CovarianceSource::kMessage, 3.0).of(kDeclared).isApprox(9.0 * kDeclared));
 }
 
 TEST(ReceiverCovariance, FixedIsFixed) {
-  EXPECT_TRUE(of_source("fixed").of(kDeclared).isApprox(4.0 * Eigen::Matrix2d::Identity()));
+  EXPECT_TRUE(of_source(CovarianceSource::kFixed).of(kDeclared).isApprox(4.0 * Eigen::Matrix2d::Identity()));
 }
 
 TEST(ReceiverCovariance, ObservesTheScatterAboutThePose) {
@@ -48,7 +48,7 @@ TEST(ReceiverCovariance, ObservesTheScatterAboutThePose) {
 }
 
 TEST(ReceiverCovariance, LoneOutliersDoNotCount) {
-  ReceiverCovariance covariance = of_source("adaptive");
+  ReceiverCovariance covariance = of_source(CovarianceSource::kAdaptive);
   double driven = drive(covariance, 20, 0.3);
   for (int i = 0; i < 5; ++i) {
     covariance.observe(driven += 0.5, {50.0, 0.0});
@@ -58,7 +58,7 @@ TEST(ReceiverCovariance, LoneOutliersDoNotCount) {
 }
 
 TEST(ReceiverCovariance, AdaptsToFixesThatAreFurtherOffThanDeclaredInTheirShape) {
-  ReceiverCovariance covariance = of_source("adaptive");
+  ReceiverCovariance covariance = of_source(CovarianceSource::kAdaptive);
   EXPECT_EQ(covariance.of(kDeclared), kDeclared) << "nothing seen yet";
   const double driven = drive(covariance, 50, 3.0);
   const Eigen::Matrix2d adapted = covariance.of(kDeclared);
@@ -71,7 +71,7 @@ TEST(ReceiverCovariance, AdaptsToFixesThatAreFurtherOffThanDeclaredInTheirShape)
 }
 
 TEST(ReceiverCovariance, ARobotThatStandsShowsNothing) {
-  ReceiverCovariance covariance = of_source("adaptive");
+  ReceiverCovariance covariance = of_source(CovarianceSource::kAdaptive);
   const double driven = drive(covariance, 30, 3.0);
   const double before = *covariance.observed_sigma();
   for (int i = 0; i < 1000; ++i) covariance.observe(driven, {0.1, 0.0});
@@ -79,7 +79,7 @@ TEST(ReceiverCovariance, ARobotThatStandsShowsNothing) {
 }
 
 TEST(ReceiverCovariance, ForgetsWhenCleared) {
-  ReceiverCovariance covariance = of_source("adaptive");
+  ReceiverCovariance covariance = of_source(CovarianceSource::kAdaptive);
   drive(covariance, 30, 3.0);
   covariance.clear();
   EXPECT_FALSE(covariance.observed_sigma());

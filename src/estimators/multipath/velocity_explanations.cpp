@@ -24,7 +24,6 @@ constexpr double kLeastSlow = 0.02;      // of it does not average out within se
 constexpr double kOfSpeed = 0.005;       // antenna that swings, base that leans and slides [1]
 constexpr double kUnsureDelay = 0.03;    // between two steps of the delay: width / sqrt 12 [s]
 constexpr double kWindow = 0.2;          // of odometry that a velocity is held against [s]
-constexpr double kOverlap = 0.8;         // of a second's way with velocities that are told late [1]
 constexpr double kLongestSeen = 1.2;     // before its stamp, that a velocity tells of [s]
 constexpr double kSlide = 0.1;           // of the speed, aside, of wheels that fail [1]
 constexpr double kLeastCourse = 0.15;    // slower than that a course is noise [m/s]
@@ -54,8 +53,8 @@ class VelocityExplainer {
  private:
   double draw(double log_good, double log_bad);
   void take_course(double yaw, double variance);
-  void correct(const Vector2d& error, const Vector2d& by_yaw, const Vector2d& by_scale, const Matrix2d& noise,
-               const Matrix2d& of_way);
+  void correct(const Vector2d& error, const Vector2d& by_yaw, const Vector2d& by_scale,
+               const Matrix2d& noise);
 
   Hypothesis& h_;
   const VelocitySighting& z_;
@@ -135,8 +134,7 @@ double VelocityExplainer::drive() {
                      isotropic(noise_);
   const double log_density = draw(log_normal(error, S), log_normal(error, S + isotropic(outlier_)));
   if (!h_.velocity.outlier) {
-    correct(error, by_yaw, by_scale_, wheels + isotropic(lasting_),
-            kOverlap / z_.duration * h_.velocity.way_noise);
+    correct(error, by_yaw, by_scale_, wheels + isotropic(lasting_));
   }
   return log_density;
 }
@@ -152,7 +150,7 @@ void VelocityExplainer::fail() {
   draw(log_normal(aside, S), log_normal(aside, S + outlier_));
   if (along * ahead.dot(foretold_) < 0.0) h_.velocity.outlier = true;
   if (h_.velocity.outlier) return;
-  correct(aside * across, along * across, Vector2d::Zero(), isotropic(lasting_ + slide), isotropic(0.0));
+  correct(aside * across, along * across, Vector2d::Zero(), isotropic(lasting_ + slide));
 }
 
 void VelocityExplainer::see() {
@@ -161,14 +159,14 @@ void VelocityExplainer::see() {
   h_.velocity.seen_time += seen;
 }
 
-/// Kalman correction by the velocity less what is foretold, with its derivatives by yaw and scale and its
-/// covariance with the position [m^2/s].
+/// Kalman correction by the velocity less what is foretold, with its derivatives by yaw and scale. What the
+/// wheels did not see since the last one is left to the fixes: errors of velocities that last for seconds
+/// would be summed up into the position.
 void VelocityExplainer::correct(const Vector2d& error, const Vector2d& by_yaw, const Vector2d& by_scale,
-                                const Matrix2d& noise, const Matrix2d& of_way) {
-  Eigen::Matrix<double, kStateSize, 2> PH =
+                                const Matrix2d& noise) {
+  const Eigen::Matrix<double, kStateSize, 2> PH =
       h_.covariance.col(kYaw) * by_yaw.transpose() + h_.covariance.col(kScale) * by_scale.transpose();
   const Matrix2d S = by_yaw * PH.row(kYaw) + by_scale * PH.row(kScale) + noise;
-  PH.topRows<2>() += of_way;
   const Eigen::Matrix<double, kStateSize, 2> K = PH * S.inverse();
   h_.mean += K * error;
   h_.mean(kYaw) = wrap_angle(h_.mean(kYaw));
