@@ -22,7 +22,7 @@ constexpr double kLongestBlock = 1.0;  // where none is weighed for longer, as b
 }  // namespace
 
 void VelocityBlock::move(const OdometryIncrement& u) {
-  history_.add(u);
+  if (last_) history_.add(u);  // robots without velocities pay nothing for it
   now_ = u.stamp;
   way_ += ground_speed(u) * u.duration;
   antenna_at_start_ = inverse(displacement(u)) * antenna_at_start_;

@@ -28,7 +28,8 @@ struct VelocitySighting {
   bool near_start = false;
 };
 
-/// Collects velocities until they are weighed, beside the odometry of the last seconds.
+/// Collects velocities until they are weighed, beside the odometry of the last seconds. That is kept from the
+/// first velocity on, which tells nothing but that others come.
 class VelocityBlock {
  public:
   /// The robot moves on by that; turns without the errors that are known, speeds with them.

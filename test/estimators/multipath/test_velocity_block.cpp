@@ -16,6 +16,14 @@ GnssVelocity velocity_at(double stamp, double east, double north) {
   return velocity;
 }
 
+/// One that has taken a velocity before.
+VelocityBlock heard() {
+  VelocityBlock block;
+  block.add(velocity_at(0.0, 0.0, 0.0));
+  block.take();
+  return block;
+}
+
 /// Drives for `seconds` and turns by `yaw_rate` [rad/s], faster by `acceleration` [m/s^2] from `speed` on.
 void drive(VelocityBlock& block, double seconds, double speed, double yaw_rate, double acceleration = 0.0) {
   for (int i = 1; i <= std::lround(100.0 * seconds); ++i) {
@@ -24,7 +32,7 @@ void drive(VelocityBlock& block, double seconds, double speed, double yaw_rate, 
 }
 
 TEST(VelocityBlock, SaysWhatOdometryDroveAtEachDelay) {
-  VelocityBlock block;
+  VelocityBlock block = heard();
   drive(block, 3.0, 0.0, 0.0, 1.0);
   EXPECT_FALSE(block.add(velocity_at(2.5, 0.0, 2.3)));
   const auto sighting = block.take();
@@ -39,7 +47,7 @@ TEST(VelocityBlock, SaysWhatOdometryDroveAtEachDelay) {
 }
 
 TEST(VelocityBlock, SeesThePastFromTheBaseOfNow) {
-  VelocityBlock block;
+  VelocityBlock block = heard();
   drive(block, 3.0, 2.0, 0.5);
   block.add(velocity_at(2.0, 2.0, 0.0));
   const auto sighting = block.take();
@@ -48,7 +56,7 @@ TEST(VelocityBlock, SeesThePastFromTheBaseOfNow) {
 }
 
 TEST(VelocityBlock, SwingsTheAntenna) {
-  VelocityBlock block;
+  VelocityBlock block = heard();
   drive(block, 3.0, 1.0, 0.5);
   GnssVelocity velocity = velocity_at(2.9, 1.0, 0.5);
   velocity.antenna_in_base = {1.0, 0.0};
@@ -67,7 +75,7 @@ TEST(VelocityBlock, RefusesWhatIsNoneAndWhatRepeatsItself) {
 }
 
 TEST(VelocityBlock, HasNothingToSayOfARobotThatStands) {
-  VelocityBlock block;
+  VelocityBlock block = heard();
   drive(block, 3.0, 0.0, 0.0);
   block.add(velocity_at(2.9, 0.05, 0.0));
   EXPECT_FALSE(block.take());
@@ -76,7 +84,7 @@ TEST(VelocityBlock, HasNothingToSayOfARobotThatStands) {
 }
 
 TEST(VelocityBlock, KnowsTheWayFromTheStart) {
-  VelocityBlock block;
+  VelocityBlock block = heard();
   drive(block, 1.0, 0.0, 0.0);
   block.start({0.5, 0.0});
   for (int i = 101; i <= 200; ++i) block.move({0.01 * i, 0.01, 2.0, 0.0});

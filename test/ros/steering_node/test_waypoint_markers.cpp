@@ -32,7 +32,7 @@ TEST(WaypointMarkers, ShowThePathByThePlannedSpeed) {
   const auto path = way();
   ASSERT_EQ(path.points.size(), path.colors.size());
   for (const auto& place : path.points) EXPECT_GT(std::hypot(place.x - 10.0, place.y), 0.99);
-  EXPECT_EQ(path.points.back().y, 10.0);
+  EXPECT_NEAR(path.points.back().y, 10.0, 1e-9);
   EXPECT_EQ(path.colors.front().g, 1.0F);
   EXPECT_EQ(path.colors.front().r, 0.0F);
   EXPECT_EQ(path.colors.back().g, 0.0F);
