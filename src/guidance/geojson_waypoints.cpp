@@ -96,9 +96,10 @@ std::string geojson_of(const WaypointList& waypoints) {
     places << (places.tellp() > 0 ? ", [" : "[") << place.longitude_deg << ", " << place.latitude_deg << "]";
   }
   const bool line = waypoints.points.size() > 1;
-  return std::string("{\"type\": \"Feature\", \"properties\": {\"name\": \"waypoints\"}, \"geometry\":\n") +
-         "  {\"type\": \"" + (line ? "LineString" : "Point") + "\", \"coordinates\": " + (line ? "[" : "") +
-         places.str() + (line ? "]" : "") + "}}\n";
+  const std::string begin =
+      R"({"type": "Feature", "properties": {"name": "waypoints"}, "geometry": {"type": ")";
+  if (!line) return begin + R"(Point", "coordinates": )" + places.str() + "}}\n";
+  return begin + R"(LineString", "coordinates": [)" + places.str() + "]}}\n";
 }
 
 }  // namespace multipath_localization

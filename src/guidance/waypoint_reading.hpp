@@ -13,7 +13,7 @@ namespace multipath_localization {
 /// The part of a file that is being read, for what is to be said of it.
 struct FilePlace {
   std::string file;
-  std::string part = "";  ///< as a line's number, or "feature 3"; empty: the whole file
+  std::string part = {};  ///< as a line's number, or "feature 3"; empty: the whole file
 
   /// `FILE:PART: reason`.
   [[nodiscard]] ParameterError error(const std::string& reason) const;

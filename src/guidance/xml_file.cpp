@@ -2,6 +2,22 @@
 
 namespace multipath_localization {
 
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// What follows an element and all within it, inside of `whole`; none at its end.
+const XMLElement* next_after(const XMLElement& element, const XMLElement& whole) {
+  const XMLElement* at = &element;
+  while (at != &whole) {
+    if (const XMLElement* next = at->NextSiblingElement()) return next;
+    at = at->Parent()->ToElement();
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 void read_xml(const std::string& file, tinyxml2::XMLDocument& document) {
   document.LoadFile(file.c_str());
   if (document.Error()) {
@@ -16,12 +32,10 @@ std::string local_name(const tinyxml2::XMLElement& element) {
   return name.substr(name.find(':') + 1);
 }
 
-// tinyxml2 reads no file that is nested so deep that this would run out of stack.
-void visit(const tinyxml2::XMLElement& element,
-           const std::function<bool(const tinyxml2::XMLElement&)>& take) {
-  if (take(element)) return;
-  for (auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
-    visit(*child, take);
+void visit(const XMLElement& element, const std::function<bool(const XMLElement&)>& take) {
+  for (const XMLElement* at = &element; at != nullptr;) {
+    const XMLElement* within = take(*at) ? nullptr : at->FirstChildElement();
+    at = within != nullptr ? within : next_after(*at, element);
   }
 }
 

@@ -28,6 +28,30 @@ constexpr double kGapYawVariance = 0.01;       // of each hypothesis then [rad^2
 constexpr double kHeadingReach = 0.6;          // [rad]
 constexpr std::uint32_t kResampling = 0xFFFFFFFEU;  // a random stream beside those of the particles
 
+/// Lets the weights sum up to one.
+void normalise(std::vector<Hypothesis>& hypotheses) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Hypothesis& h : hypotheses) highest = std::max(highest, h.log_weight);
+  double sum = 0.0;
+  for (const Hypothesis& h : hypotheses) sum += std::exp(h.log_weight - highest);
+  for (Hypothesis& h : hypotheses) h.log_weight -= highest + std::log(sum);
+}
+
+/// The second moments about the means, and the weight of those whose heading agrees.
+void add_spread(const std::vector<Hypothesis>& hypotheses, Mixture& m) {
+  m.agreement = 0.0;
+  for (const Hypothesis& h : hypotheses) {
+    const double w = std::exp(h.log_weight);
+    Eigen::Vector3d off = h.mean.head<3>() - m.mean.head<3>();
+    off(2) = wrap_angle(off(2));
+    m.covariance += w * (h.covariance.topLeftCorner<3, 3>() + off * off.transpose());
+    const Eigen::Vector2d bias_off = h.bias() - m.bias;
+    m.bias_covariance += w * (h.covariance.block<2, 2>(kSlowX, kSlowX) +
+                              h.covariance.block<2, 2>(kShadowX, kShadowX) + bias_off * bias_off.transpose());
+    if (std::abs(off(2)) < kHeadingReach) m.agreement += w;
+  }
+}
+
 }  // namespace
 
 void HypothesisCloud::clear() {
@@ -156,17 +180,13 @@ void HypothesisCloud::resample(std::size_t count) {
 }
 
 void HypothesisCloud::refresh() {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const Hypothesis& h : hypotheses_) highest = std::max(highest, h.log_weight);
-  double sum = 0.0;
-  for (const Hypothesis& h : hypotheses_) sum += std::exp(h.log_weight - highest);
+  normalise(hypotheses_);
   Mixture m;
   m.covariance.setZero();
   Eigen::Vector3d log_noise = Eigen::Vector3d::Zero();
   Eigen::Vector2d heading = Eigen::Vector2d::Zero();
   double squares = 0.0;
-  for (Hypothesis& h : hypotheses_) {
-    h.log_weight -= highest + std::log(sum);
+  for (const Hypothesis& h : hypotheses_) {
     const double w = std::exp(h.log_weight);
     squares += square(w);
     m.mean += w * h.mean;
@@ -184,17 +204,7 @@ void HypothesisCloud::refresh() {
   m.odometry_noise = {std::exp(2.0 * log_noise(0)), std::exp(2.0 * log_noise(1)),
                       std::exp(2.0 * log_noise(2))};
   m.effective_size = 1.0 / squares;
-  m.agreement = 0.0;
-  for (const Hypothesis& h : hypotheses_) {
-    const double w = std::exp(h.log_weight);
-    Eigen::Vector3d off = h.mean.head<3>() - m.mean.head<3>();
-    off(2) = wrap_angle(off(2));
-    m.covariance += w * (h.covariance.topLeftCorner<3, 3>() + off * off.transpose());
-    const Eigen::Vector2d bias_off = h.bias() - m.bias;
-    m.bias_covariance += w * (h.covariance.block<2, 2>(kSlowX, kSlowX) +
-                              h.covariance.block<2, 2>(kShadowX, kShadowX) + bias_off * bias_off.transpose());
-    if (std::abs(off(2)) < kHeadingReach) m.agreement += w;
-  }
+  add_spread(hypotheses_, m);
   mixture_ = m;
 }
 

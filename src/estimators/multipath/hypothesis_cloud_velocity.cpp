@@ -40,6 +40,48 @@ std::size_t part(double share, std::size_t count) {
   return static_cast<std::size_t>(share * static_cast<double>(count));
 }
 
+/// Weighs those that believe among themselves by their logarithms of the density, equation (21).
+void weigh_believing(std::vector<Hypothesis>& hypotheses,
+                     const std::vector<std::optional<double>>& log_density, bool heading_known) {
+  double highest = std::numeric_limits<double>::lowest();
+  for (const std::optional<double>& log : log_density) highest = std::max(highest, log.value_or(highest));
+  double before = 0.0;
+  double after = 0.0;
+  double reflected = 0.0;
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    if (!log_density[i]) continue;
+    const double w = std::exp(hypotheses[i].log_weight);
+    before += w;
+    reflected += hypotheses[i].velocity.outlier ? w : 0.0;
+    after += w * std::exp(*log_density[i] - highest);
+  }
+  // What most take for a reflection is no evidence for those few that have lost the heading and agree.
+  if (!(after > 0.0) || (heading_known && reflected > 0.5 * before)) return;
+  const double expected = highest + std::log(after / before);
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    if (log_density[i]) hypotheses[i].log_weight += *log_density[i] - expected;
+  }
+}
+
+/// Appends `count` hypotheses drawn by weight of those that believe velocities, or that do not.
+void append_drawn(const std::vector<Hypothesis>& from, bool believing, std::size_t count,
+                  RandomStream& random, std::vector<Hypothesis>& to) {
+  if (count == 0) return;
+  std::vector<double> weights;
+  weights.reserve(from.size());
+  double share = 0.0;
+  for (const Hypothesis& h : from) {
+    weights.push_back(h.velocity.believed == believing ? std::exp(h.log_weight) : 0.0);
+    share += weights.back();
+  }
+  if (!(share > 0.0)) return;
+  const double log_weight = std::log(share / static_cast<double>(count));
+  for (const std::size_t i : systematic_resampling(weights, count, random.uniform())) {
+    to.push_back(from[i]);
+    to.back().log_weight = log_weight;
+  }
+}
+
 }  // namespace
 
 void HypothesisCloud::draw_velocity_laws(bool near_start) {
@@ -63,32 +105,15 @@ void HypothesisCloud::weigh(const VelocitySighting& sighting) {
   ++velocity_step_;
   const double share = std::min(1.0, sighting.duration / kEvidenceTime);
   std::vector<std::optional<double>> log_density(hypotheses_.size());
-  double highest = std::numeric_limits<double>::lowest();
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     RandomStream random(seed_ ^ kVelocitySeed, velocity_step_, static_cast<std::uint32_t>(i));
     Hypothesis& h = hypotheses_[i];
     wander(h.velocity, sighting.duration, random);
     if (h.velocity.believed) log_density[i] = explain_velocity(h, sighting, random);
-    if (log_density[i]) highest = std::max(highest, *log_density[i] *= share);
+    if (log_density[i]) *log_density[i] *= share;
     h.velocity.way_noise.setZero();
   }
-  const bool heading_known = mixture_.covariance(2, 2) < kAgreedVariance;
-  double before = 0.0;
-  double after = 0.0;
-  double reflected = 0.0;
-  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    if (!log_density[i]) continue;
-    const double w = std::exp(hypotheses_[i].log_weight);
-    before += w;
-    reflected += hypotheses_[i].velocity.outlier ? w : 0.0;
-    after += w * std::exp(*log_density[i] - highest);
-  }
-  // What most take for a reflection is no evidence for those few that have lost the heading and agree.
-  const bool tells = after > 0.0 && !(heading_known && reflected > 0.5 * before);
-  const double expected = highest + std::log(after / before);
-  for (std::size_t i = 0; tells && i < hypotheses_.size(); ++i) {
-    if (log_density[i]) hypotheses_[i].log_weight += *log_density[i] - expected;
-  }
+  weigh_believing(hypotheses_, log_density, mixture_.covariance(2, 2) < kAgreedVariance);
   refresh();
   resample();
 }
@@ -116,23 +141,8 @@ void HypothesisCloud::resample_by_kind(const Kinds& wanted) {
   RandomStream random(seed_ ^ kVelocitySeed, velocity_step_ + step_, kResampling);
   std::vector<Hypothesis> chosen;
   chosen.reserve(wanted.believing + wanted.doubting);
-  for (const bool believing : {true, false}) {
-    const std::size_t count = believing ? wanted.believing : wanted.doubting;
-    if (count == 0) continue;
-    std::vector<double> weights;
-    weights.reserve(hypotheses_.size());
-    double share = 0.0;
-    for (const Hypothesis& h : hypotheses_) {
-      weights.push_back(h.velocity.believed == believing ? std::exp(h.log_weight) : 0.0);
-      share += weights.back();
-    }
-    if (!(share > 0.0)) continue;
-    const double log_weight = std::log(share / static_cast<double>(count));
-    for (const std::size_t i : systematic_resampling(weights, count, random.uniform())) {
-      chosen.push_back(hypotheses_[i]);
-      chosen.back().log_weight = log_weight;
-    }
-  }
+  append_drawn(hypotheses_, true, wanted.believing, random, chosen);
+  append_drawn(hypotheses_, false, wanted.doubting, random, chosen);
   hypotheses_ = std::move(chosen);
   refresh();
 }

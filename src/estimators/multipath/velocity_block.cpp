@@ -19,6 +19,12 @@ constexpr double kSlow = 0.3;     // of velocities of a robot that stands, rathe
 constexpr double kFastest = 1e3;  // of a velocity that is none [m/s]
 constexpr double kLongestBlock = 1.0;  // where none is weighed for longer, as before the first fix [s]
 
+bool stands(const VelocitySighting& sighting) {
+  const bool wheels_stand = std::all_of(sighting.driven.begin(), sighting.driven.end(),
+                                        [](const Eigen::Vector2d& v) { return v.norm() < kStandstill; });
+  return wheels_stand && sighting.velocity.norm() < kSlow;
+}
+
 }  // namespace
 
 void VelocityBlock::move(const OdometryIncrement& u) {
@@ -83,9 +89,7 @@ std::optional<VelocitySighting> VelocityBlock::take() {
   for (Eigen::Vector2d& driven : sighting.driven) driven /= sighting.count;
   sighting.near_start = way_ < kNearStart;
   if (sighting.near_start) sighting.from_start = -antenna_at_start_.position();
-  const bool stands = std::all_of(sighting.driven.begin(), sighting.driven.end(),
-                                  [](const Eigen::Vector2d& v) { return v.norm() < kStandstill; });
-  if (stands && sighting.velocity.norm() < kSlow) return std::nullopt;
+  if (stands(sighting)) return std::nullopt;
   return sighting;
 }
 

@@ -176,11 +176,12 @@ void VelocityExplainer::correct(const Vector2d& error, const Vector2d& by_yaw, c
 
 }  // namespace
 
-std::optional<double> explain_velocity(Hypothesis& h, const VelocitySighting& z, RandomStream& random) {
-  VelocityExplainer explainer(h, z, random);
-  if (h.velocity.seeks_course) return explainer.seek_course();
+std::optional<double> explain_velocity(Hypothesis& hypothesis, const VelocitySighting& sighting,
+                                       RandomStream& random) {
+  VelocityExplainer explainer(hypothesis, sighting, random);
+  if (hypothesis.velocity.seeks_course) return explainer.seek_course();
   explainer.see();
-  if (!h.wheel_fault.any()) return explainer.drive();
+  if (!hypothesis.wheel_fault.any()) return explainer.drive();
   explainer.fail();
   return std::nullopt;
 }
