@@ -9,7 +9,7 @@
 
 namespace multipath_localization {
 
-constexpr char kOracle[] = "oracle";  ///< what runs and tables call it
+constexpr const char* kOracle = "oracle";  ///< what runs and tables call it
 
 /// Runs every estimator of the batch and the oracle over the drive of each seed (random_drive), in the order
 /// of estimators, the oracle last, and then seeds; the estimators draw by the same seed, and are given the
