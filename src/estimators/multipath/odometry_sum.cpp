@@ -29,10 +29,12 @@ Eigen::Vector2d perpendicular(const Eigen::Vector2d& v) { return {-v.y(), v.x()}
 void OdometrySum::restart(const OdometryErrors& errors) {
   const Eigen::Vector2d velocity = last_velocity_;
   const bool has_turned = has_turned_;
+  const MovingTime moving = moving_;
   *this = OdometrySum(noise_);
   errors_ = errors;
   last_velocity_ = velocity;
   has_turned_ = has_turned;
+  moving_ = moving;
 }
 
 void OdometrySum::rest(const OdometryIncrement& u) {
@@ -60,6 +62,7 @@ OdometryIncrement OdometrySum::corrected(OdometryIncrement u) const {
 
 void OdometrySum::add(const OdometryIncrement& u) {
   const double dt = u.duration;
+  const double moved = moving_.add(u);
   duration_ += dt;
   if (dt > kGap) {
     missing_time_ += dt;
@@ -75,7 +78,7 @@ void OdometrySum::add(const OdometryIncrement& u) {
   const Eigen::Vector2d way = rotation(turn_) * step.position();
   has_turned_ = has_turned_ || u.yaw_rate != 0.0;
 
-  add_noise(u, way, corrected.yaw_rate * dt);
+  add_noise(u, moved, way, corrected.yaw_rate * dt);
   // The heading halfway through the step, by each of the errors that turn it.
   const Eigen::RowVector4d turn_by_errors =
       by_gyro ? Eigen::RowVector4d(0.0, 0.0, 0.0, -dt)
@@ -87,13 +90,14 @@ void OdometrySum::add(const OdometryIncrement& u) {
 
   displacement_ += way;
   turn_ += corrected.yaw_rate * dt;
-  moving_time_ += dt;
-  if (by_gyro) gyro_time_ += dt;
+  moving_time_ += moved;
+  if (by_gyro) gyro_time_ += moved;
   length_ += way.norm();
   last_velocity_ << u.speed, u.lateral_speed;
 }
 
-void OdometrySum::add_noise(const OdometryIncrement& u, const Eigen::Vector2d& way, double turn) {
+void OdometrySum::add_noise(const OdometryIncrement& u, double moved, const Eigen::Vector2d& way,
+                            double turn) {
   const double length = way.norm();
   const double dt = u.duration;
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
@@ -110,11 +114,11 @@ void OdometrySum::add_noise(const OdometryIncrement& u, const Eigen::Vector2d& w
   }
   const double of_turn = square(kTurnNoiseOfTurn) * std::abs(turn);
   if (u.turn_source == TurnSource::kGyro) {
-    gyro_noise_(2, 2) += square(kGyroNoise) * dt + of_turn;
+    gyro_noise_(2, 2) += square(kGyroNoise) * moved + of_turn;
   } else {
-    turn_noise_(2, 2) += square(noise_.yaw) * dt + of_turn;
+    turn_noise_(2, 2) += square(noise_.yaw) * moved + of_turn;
   }
-  if (!has_turned_) untold_turns_(2, 2) += square(kUntoldTurn) * dt;
+  if (!has_turned_) untold_turns_(2, 2) += square(kUntoldTurn) * moved;
   // What happened between two samples is not known: speed and turn changed anywhere within the interval.
   const double change = (Eigen::Vector2d(u.speed, u.lateral_speed) - last_velocity_).norm() * dt;
   const double bend = length * std::abs(turn);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "estimators/multipath/moving_time.hpp"
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/models/motion/preintegrated_odometry.hpp"
 
@@ -75,7 +76,8 @@ class OdometrySum {
   void rest(const OdometryIncrement& u);
   /// Without the errors of `restart`.
   [[nodiscard]] OdometryIncrement corrected(OdometryIncrement u) const;
-  void add_noise(const OdometryIncrement& u, const Eigen::Vector2d& way, double turn);
+  /// Of an increment that ends that much time [s] in which the wheels turned.
+  void add_noise(const OdometryIncrement& u, double moved, const Eigen::Vector2d& way, double turn);
 
   OdometryNoise noise_;
   OdometryErrors errors_;
@@ -88,6 +90,7 @@ class OdometrySum {
   Eigen::Matrix3d sampling_noise_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d untold_turns_ = Eigen::Matrix3d::Zero();
   double duration_ = 0.0;
+  MovingTime moving_;
   double moving_time_ = 0.0;
   double missing_time_ = 0.0;
   double gyro_time_ = 0.0;  ///< of the moving time, with turns by the gyro [s]

@@ -18,9 +18,8 @@ constexpr double kTelling = 3.0;          // fixes further apart do not acquit [
 
 void WheelWatch::add(const OdometryIncrement& u) {
   jump_.add(u);
-  if (multipath_localization::standing(u)) return;
-  moving_time_ += u.duration;
-  way_ += ground_speed(u) * u.duration;
+  moving_time_ += moving_.add(u);
+  if (!multipath_localization::standing(u)) way_ += ground_speed(u) * u.duration;
 }
 
 /// Of so many jumps without a fault the next one is one with the probability of Laplace's rule.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "estimators/multipath/moving_time.hpp"
 #include "estimators/multipath/odometry_jump.hpp"
 
 namespace multipath_localization::multipath {
@@ -51,6 +52,7 @@ class WheelWatch {
   OdometryJump::Jump suspect_;  ///< what has jumped
   double suspected_for_ = 0.0;  ///< time that is left of that [s]
   Innocent innocent_;
+  MovingTime moving_;
   double moving_time_ = 0.0;  ///< since the last look [s]
   double way_ = 0.0;          ///< since the last look [m]
 };

@@ -100,6 +100,17 @@ TEST(OdometrySum, HasTheNoiseOfItsParametersTimesTheFactors) {
   EXPECT_NEAR(turn_only(2, 2), 9.0 * square(0.002) * 10.0, 1e-12);
 }
 
+TEST(OdometrySum, IsAsUnsureOfATurnThatTicksTellOfAsOfASteadyOne) {
+  OdometrySum steady{OdometryNoise{}};
+  OdometrySum ticks{OdometryNoise{}};
+  for (int i = 1; i <= 100; ++i) {
+    steady.add({0.01 * i, 0.01, 0.2, 0.0});
+    ticks.add({0.01 * i, 0.01, i % 10 == 0 ? 2.0 : 0.0, 0.0});
+  }
+  EXPECT_NEAR(ticks.moving_time(), steady.moving_time(), 1e-9);
+  EXPECT_NEAR(ticks.noise({})(2, 2), steady.noise({})(2, 2), 1e-12);
+}
+
 TEST(OdometrySum, IsLessSureOfCoarseSamplesThanOfFineOnes) {
   const auto spread = [](double step) {
     OdometrySum sum(kNoise);

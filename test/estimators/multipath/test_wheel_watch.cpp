@@ -29,6 +29,15 @@ TEST_F(WheelWatchTest, KnowsHowFastTheRobotDrivesAsARule) {
   EXPECT_NEAR(watch.usual_speed(), 2.0, 0.05) << "standing does not count";
 }
 
+TEST_F(WheelWatchTest, TakesNoRobotForStandingWhoseTicksAreFewerThanIncrements) {
+  for (int i = 0; i < 10; ++i) {
+    watch.add({now += 0.02, 0.02, 1.0, 0.0});
+    for (int k = 0; k < 4; ++k) watch.add({now += 0.02, 0.02, 0.0, 0.0});
+  }
+  EXPECT_FALSE(watch.standing(1.0));
+  EXPECT_NEAR(watch.way(), 0.2, 1e-9);
+}
+
 TEST_F(WheelWatchTest, SuspectsTheWheelsWhereTheOdometryJumps) {
   drive(2.0, 5.0);
   watch.look_back(5.0, 0.0);
