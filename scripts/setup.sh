@@ -24,7 +24,7 @@ run_packages=(
   python3-std-srvs python3-tf2-ros python3-visualization-msgs python3-yaml rosout
 )
 test_packages=(
-  catkin-lint clang clang-format clangd git libbenchmark-dev libclang-rt-14-dev libgtest-dev mkdocs mkdocs-material
+  catkin-lint chromium clang clang-format clangd git libbenchmark-dev libclang-rt-14-dev libgtest-dev mkdocs mkdocs-material
   python3-nose python3-rostest python3-rosunit rviz universal-ctags
 )
 view_packages=(rviz)

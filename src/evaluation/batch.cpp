@@ -1,5 +1,7 @@
 #include "evaluation/batch.hpp"
 
+#include <cmath>
+
 #include "evaluation/spoilt_drive.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
 #include "support/parallel.hpp"
@@ -8,6 +10,13 @@ namespace multipath_localization {
 
 namespace {
 
+Weighing weighing_of(const MeasurementReport& report) {
+  const Innovation& told = report.innovation;
+  const bool compared = told.covariance.trace() > 0.0 && std::isfinite(told.nis);
+  return {report.stamp, report.measurement.index(), told.reason,
+          compared ? std::optional(told.nis) : std::nullopt};
+}
+
 void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& make,
               const ProgressReport& progress, RunRecord& run) {
   if (batch.faults) run.drive = spoilt(drive, *batch.faults, batch.fault_seed + run.seed - 1);
@@ -15,6 +24,7 @@ void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& ma
   run.fates = drive.left_out;
   const auto count = [&run](const MeasurementReport& report) {
     run.fates[report.measurement.index()].count(report.innovation.reason);
+    run.weighings.push_back(weighing_of(report));
   };
   run.epochs = run_drive(driven, make, batch.settings, progress, count);
   rate(driven, batch, run);
@@ -22,7 +32,8 @@ void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& ma
 
 void run_over(const Scenario& scenario, const Batch& batch, const EstimatorFactory& make,
               const ProgressReport& progress, RunRecord& run) {
-  ClosedLoopRun result = run_scenario(scenario, run.seed, make, batch.settings, progress);
+  const auto note = [&run](const MeasurementReport& report) { run.weighings.push_back(weighing_of(report)); };
+  ClosedLoopRun result = run_scenario(scenario, run.seed, make, batch.settings, progress, note);
   run.course = result.course;
   run.epochs = std::move(result.epochs);
   run.drive = std::move(result.drive);
@@ -53,6 +64,7 @@ void make_run(const Stream& stream, const Batch& batch, const std::string& name,
   run.cpu = thread_cpu_time() - started;
   if (run.seed != batch.first_seed) {
     run.epochs = {};
+    run.weighings = {};
     run.drive = {};
   }
 }

@@ -34,6 +34,14 @@ struct Batch {
   std::uint64_t fault_seed = 1;           ///< of the first run, counted on with the seeds
 };
 
+/// A measurement as an estimator weighed it.
+struct Weighing {
+  double stamp = 0.0;
+  std::size_t kind = 0;  ///< index within Measurement
+  Reason reason = Reason::kUnused;
+  std::optional<double> nis;  ///< normalised innovation squared, where it was compared with what was expected
+};
+
 /// One run and what came of it.
 struct RunRecord {
   std::string source;     ///< drive, bag or scenario, as named by the user
@@ -54,8 +62,9 @@ struct RunRecord {
   std::string about;  ///< the drive in one line
   std::vector<std::pair<std::string, std::string>> traits;  ///< of the drive: name and value, as JSON
 
-  std::vector<Epoch> epochs;  ///< of the first seed only, to be drawn
-  Drive drive;                ///< of the first seed of a scenario, or of a recording with faults, only
+  std::vector<Epoch> epochs;        ///< of the first seed only, to be drawn
+  std::vector<Weighing> weighings;  ///< of the first seed only, in the order of their use
+  Drive drive;                      ///< of the first seed of a scenario, or of a recording with faults, only
 };
 
 /// Parameters of each estimator of the batch as YAML text: those of the scenario, over them the `overrides`

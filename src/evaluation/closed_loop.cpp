@@ -120,7 +120,8 @@ void take_motion(const Readings& readings, double now, Localizer& localizer, Dri
 }  // namespace
 
 ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const EstimatorFactory& make,
-                           const RunSettings& settings, const ProgressReport& progress) {
+                           const RunSettings& settings, const ProgressReport& progress,
+                           const FateReport& fate) {
   Simulator simulator(scenario.simulator, seed);
   Driver driver(scenario);
   CourseWatch watch(driver.follower());
@@ -142,11 +143,12 @@ ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const E
       localizer.add(measurement);
       run.drive.measurements.push_back({measurement, simulator.time()});
     }
-    localizer.take_reports();
+    hand_on_reports(localizer, fate);
     run.drive.truth.push_back(truth_of(simulator));
     const PoseEstimate estimate = localizer.estimate();
     run.epochs.push_back(epoch_of(estimate, run.drive.truth.back(), last));
-    if (readings.odometry) published = published_by(scenario, simulator, estimate, localizer.state());
+    run.epochs.back().state = localizer.state();
+    if (readings.odometry) published = published_by(scenario, simulator, estimate, run.epochs.back().state);
     watch.see(simulator.truth().position(), command, simulator.time_step());
     if (progress && step % 64 == 0) progress(static_cast<double>(step) / static_cast<double>(steps));
   }

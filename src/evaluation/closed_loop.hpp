@@ -31,6 +31,7 @@ struct ClosedLoopRun {
 /// come in. The distance at which a waypoint was passed is that of the closest approach from when it was
 /// steered for until the next one was passed. Throws RunError.
 ClosedLoopRun run_scenario(const Scenario& scenario, std::uint64_t seed, const EstimatorFactory& make,
-                           const RunSettings& settings, const ProgressReport& progress = nullptr);
+                           const RunSettings& settings, const ProgressReport& progress = nullptr,
+                           const FateReport& fate = nullptr);
 
 }  // namespace multipath_localization

@@ -7,12 +7,14 @@
 
 #include "evaluation/drive.hpp"
 #include "multipath_localization/core/estimate.hpp"
+#include "multipath_localization/core/trust.hpp"
 
 namespace multipath_localization {
 
 /// One instant and what the estimator held then.
 struct Epoch {
-  TruthSample truth;   ///< of a drive without truth its stamp alone counts
+  TruthSample truth;  ///< of a drive without truth its stamp alone counts
+  Trust state = Trust::kNotReady;
   bool valid = false;  ///< whether the estimator claimed to know anything; nothing below counts otherwise
   bool aligned = false;
   Pose2 estimate;  ///< base in map

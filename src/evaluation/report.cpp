@@ -139,31 +139,34 @@ std::string json_of_drive(const RunRecord& run) {
 
 }  // namespace
 
-std::string to_json(const std::vector<RunRecord>& runs) {
+std::string json_of_figures(const RunRecord& run) {
+  const Score& s = run.score;
   PlainStream out;
-  out << "[";
-  const char* separator = "\n";
+  out << "{\"source\": " << quoted(run.source) << ", \"estimator\": " << quoted(run.estimator)
+      << ", \"seed\": " << run.seed << ", \"epochs\": " << s.epochs << ", \"mean_m\": " << json(s.mean)
+      << ", \"rmse_m\": " << json(s.rmse) << ", \"median_m\": " << json(s.median)
+      << ", \"p95_m\": " << json(s.p95) << ", \"max_m\": " << json(s.max)
+      << ", \"heading_rmse_rad\": " << json(s.heading_rmse) << ", \"rmse_shadow_m\": " << json(s.rmse_shadow)
+      << ", \"rmse_open_m\": " << json(s.rmse_open) << ", \"longest_off_s\": " << json(run.longest_off)
+      << ", \"longest_beyond_3_sigma_s\": " << json(run.longest_beyond_3_sigma)
+      << ", \"way_to_alignment_m\": " << json(run.way_to_alignment)
+      << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu)
+      << ", \"fix_rmse_m\": " << json(run.fixes.rmse) << ", \"fix_median_m\": " << json(run.fixes.median)
+      << ", \"fix_p95_m\": " << json(run.fixes.p95) << ", \"fix_max_m\": " << json(run.fixes.max)
+      << ", \"fix_rmse_shadow_m\": " << json(run.fixes.rmse_shadow)
+      << ", \"fix_rmse_open_m\": " << json(run.fixes.rmse_open) << json_of_drive(run) << "}";
+  return out.str();
+}
+
+std::string to_json(const std::vector<RunRecord>& runs) {
+  std::string out = "[";
+  const char* separator = "\n  ";
   for (const RunRecord& run : runs) {
     if (!run.failure.empty()) continue;
-    const Score& s = run.score;
-    out << separator << "  {\"source\": " << quoted(run.source)
-        << ", \"estimator\": " << quoted(run.estimator) << ", \"seed\": " << run.seed
-        << ", \"epochs\": " << s.epochs << ", \"mean_m\": " << json(s.mean)
-        << ", \"rmse_m\": " << json(s.rmse) << ", \"median_m\": " << json(s.median)
-        << ", \"p95_m\": " << json(s.p95) << ", \"max_m\": " << json(s.max)
-        << ", \"heading_rmse_rad\": " << json(s.heading_rmse)
-        << ", \"rmse_shadow_m\": " << json(s.rmse_shadow) << ", \"rmse_open_m\": " << json(s.rmse_open)
-        << ", \"longest_off_s\": " << json(run.longest_off)
-        << ", \"longest_beyond_3_sigma_s\": " << json(run.longest_beyond_3_sigma)
-        << ", \"way_to_alignment_m\": " << json(run.way_to_alignment)
-        << ", \"nees_mean\": " << json(s.nees_mean) << ", \"cpu_s\": " << json(run.cpu)
-        << ", \"fix_rmse_m\": " << json(run.fixes.rmse)
-        << ", \"fix_rmse_shadow_m\": " << json(run.fixes.rmse_shadow)
-        << ", \"fix_rmse_open_m\": " << json(run.fixes.rmse_open) << json_of_drive(run) << "}";
-    separator = ",\n";
+    out += separator + json_of_figures(run);
+    separator = ",\n  ";
   }
-  out << "\n]\n";
-  return out.str();
+  return out + "\n]\n";
 }
 
 std::string to_table(const std::vector<RunRecord>& runs) {

@@ -7,11 +7,14 @@
 
 namespace multipath_localization {
 
-/// The runs that ended as a JSON list, one object per run:
+/// The figures of a run as one object of JSON:
 /// {"source","estimator","seed","epochs","mean_m","rmse_m","median_m","p95_m","max_m","heading_rmse_rad",
 /// "rmse_shadow_m","rmse_open_m","longest_off_s","longest_beyond_3_sigma_s","nees_mean","cpu_s","fix_rmse_m",
-/// "fix_rmse_shadow_m","fix_rmse_open_m"}, the last three of the fixes as they are. A figure that does not
-/// apply is null.
+/// "fix_median_m","fix_p95_m","fix_max_m","fix_rmse_shadow_m","fix_rmse_open_m"}, the last six of the fixes
+/// as they are. A figure that does not apply is null.
+std::string json_of_figures(const RunRecord& run);
+
+/// The runs that ended as a JSON list, one object per run.
 std::string to_json(const std::vector<RunRecord>& runs);
 
 /// The runs that ended as a table: per stream one line for the fixes as they are and one per estimator, in

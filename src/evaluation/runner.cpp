@@ -33,9 +33,7 @@ class Replay {
         localizer_.add(drive_.measurements[next_measurement_++].measurement);
       }
     }
-    for (const MeasurementReport& report : localizer_.take_reports()) {
-      if (fate_) fate_(report);
-    }
+    hand_on_reports(localizer_, fate_);
   }
 
   /// The increment that came in last.
@@ -117,6 +115,12 @@ std::vector<TruthSample> instants_of(const Drive& drive) {
 
 }  // namespace
 
+void hand_on_reports(Localizer& localizer, const FateReport& fate) {
+  for (const MeasurementReport& report : localizer.take_reports()) {
+    if (fate) fate(report);
+  }
+}
+
 PosePrior known_start(double stamp, const Pose2& base_in_map) {
   PosePrior prior;
   prior.stamp = stamp;
@@ -152,6 +156,7 @@ std::vector<Epoch> run_drive(const Drive& drive, const EstimatorFactory& make, c
   for (const TruthSample& truth : instants) {
     replay.advance_to(truth.stamp);
     epochs.push_back(epoch_of(localizer.estimate(), truth, replay.last()));
+    epochs.back().state = localizer.state();
     if (progress && epochs.size() % 64 == 0) {
       progress(static_cast<double>(epochs.size()) / static_cast<double>(instants.size()));
     }

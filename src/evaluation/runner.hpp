@@ -23,6 +23,9 @@ using ProgressReport = std::function<void(double)>;
 /// Told what became of each measurement.
 using FateReport = std::function<void(const MeasurementReport&)>;
 
+/// Tells what became of the measurements that were weighed since the last call, where anybody listens.
+void hand_on_reports(Localizer& localizer, const FateReport& fate);
+
 /// How an estimator is put on a stream.
 struct RunSettings {
   LocalizerParameters localizer;

@@ -153,11 +153,12 @@ bool run(std::vector<std::string> command) {
   return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-void plot(const std::string& file, const std::string& trace) {
-  const std::string script = package_file("plot_evaluation", "scripts/plot_evaluation");
+/// Has a script of the package make a file of the trace.
+void draw(const std::string& script, const std::string& trace, const std::string& file) {
+  if (file.empty()) return;
   const std::string trace_file = file + ".trace.json";
   write_file(trace_file, trace);
-  const bool drawn = run({script, trace_file, file});
+  const bool drawn = run({package_file(script, "scripts/" + script), trace_file, file});
   fs::remove(trace_file);
   if (!drawn) throw std::runtime_error("cannot draw " + file);
 }
@@ -218,12 +219,20 @@ int report_standings(const Options& options, const std::vector<RunRecord>& runs)
   return report_failures(runs) == 0 ? 0 : 1;
 }
 
+/// Writes what was asked for about the runs; those drawn went over the first stream.
+void write_results(const Options& options, const Stream& first, const std::vector<RunRecord>& runs) {
+  if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
+  if (options.plot_file.empty() && options.report_file.empty()) return;
+  const std::string title = std::visit([](const auto& s) { return s.name; }, first);
+  const std::string trace = to_trace(title, first, runs);
+  draw("plot_evaluation", trace, options.plot_file);
+  draw("report", trace, options.report_file);
+}
+
 int evaluate(const Options& options) {
   if (!options.write_directory.empty()) return write_random_drives(options);
   if (options.suite == kRandomSuite) return report_standings(options, make_random_runs(options));
   std::vector<NamedStream> streams = open_streams(options);
-  const Stream& first = streams.front().stream;
-  const std::string title = std::visit([](const auto& s) { return s.name; }, first);
   for (NamedStream& named : streams) {
     auto* drive = std::get_if<Drive>(&named.stream);
     if (drive == nullptr) continue;
@@ -237,9 +246,9 @@ int evaluate(const Options& options) {
     for (const std::string& sentence : shortcomings(runs)) std::cout << sentence << "\n";
   }
   std::cout << losses(runs);
-  if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
-  if (!options.plot_file.empty()) plot(options.plot_file, to_trace(title, first, runs));
-  return report_failures(runs) == 0 ? 0 : 1;
+  const int failed = report_failures(runs);
+  write_results(options, streams.front().stream, runs);
+  return failed == 0 ? 0 : 1;
 }
 
 }  // namespace

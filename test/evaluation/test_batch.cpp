@@ -44,6 +44,18 @@ TEST(RunBatch, NumberOfJobsChangesNoByte) {
   EXPECT_EQ(json_of(made(batch_of(3), drive, 1)), json_of(made(batch_of(3), drive, 2)));
 }
 
+TEST(RunBatch, KeepsStatesAndWeighingsOfTheFirstSeedAlone) {
+  const std::vector<RunRecord> runs = made(batch_of(2), short_street(), 1);
+  ASSERT_FALSE(runs[0].weighings.empty());
+  EXPECT_TRUE(runs[1].weighings.empty());
+  EXPECT_GT(runs[0].weighings.back().nis.value_or(0.0), 0.0);
+  EXPECT_NE(runs[0].epochs.back().state, Trust::kNotReady);
+
+  const std::vector<RunRecord> replayed = made(batch_of(1), runs[0].drive, 1);
+  EXPECT_EQ(replayed[0].weighings.size(), runs[0].weighings.size());
+  EXPECT_EQ(replayed[0].epochs.back().state, runs[0].epochs.back().state);
+}
+
 TEST(RunBatch, SeedsDiffer) {
   const std::vector<RunRecord> runs = made(batch_of(2), short_street(), 1);
   ASSERT_EQ(runs.size(), 2u);

@@ -44,6 +44,9 @@ TEST(ToJson, HasTheContractsKeysAndNullsForWhatDoesNotApply) {
                                             "nees_mean",
                                             "cpu_s",
                                             "fix_rmse_m",
+                                            "fix_median_m",
+                                            "fix_p95_m",
+                                            "fix_max_m",
                                             "fix_rmse_shadow_m",
                                             "fix_rmse_open_m"}));
   EXPECT_EQ(list[0]["source"].as<std::string>(), "a \"drive\"");

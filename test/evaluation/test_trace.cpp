@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "evaluation/trace.hpp"
 
 namespace multipath_localization {
@@ -51,6 +53,67 @@ TEST(ToTrace, MeasuresFixesAtTheirAntennasAndHeadingsRoundTheCircle) {
   ASSERT_EQ(trace["fix_errors"]["error"].size(), 1u);
   EXPECT_NEAR(trace["fix_errors"]["error"][0].as<double>(), 0.1, 1e-9);
   EXPECT_NEAR(trace["runs"][0]["heading_errors_deg"]["error"][0].as<double>(), 0.2 * 180.0 / kPi, 1e-6);
+}
+
+TEST(ToTrace, TellsStatesCovariancesAndWhatBecameOfMeasurements) {
+  Drive drive;
+  drive.odometry = {{101.0, 1.0, 1.5, 0.0}};
+  RunRecord run;
+  run.epochs.resize(1);
+  run.epochs[0].truth.stamp = 101.0;
+  run.epochs[0].valid = true;
+  run.epochs[0].state = Trust::kMultipath;
+  run.epochs[0].position_covariance << 4.0, 1.0, 1.0, 9.0;
+  const std::size_t fixes = Measurement(GnssFix()).index();
+  run.weighings = {{101.5, fixes, Reason::kGated, 12.5},
+                   {102.0, fixes, Reason::kNoFix, std::nullopt},
+                   {102.5, fixes, Reason::kUnused, std::nullopt}};
+  run.score.max = 3.5;
+
+  const YAML::Node trace = YAML::Load(to_trace("title", drive, {run}));
+  const YAML::Node drawn = trace["runs"][0];
+  EXPECT_EQ(trace["odometry"]["speed"].as<std::vector<double>>(), std::vector<double>{1.5});
+  EXPECT_EQ(drawn["state"][0].as<std::string>(), "MULTIPATH");
+  EXPECT_EQ(drawn["covariance"]["xy"][0].as<double>(), 1.0);
+  EXPECT_EQ(drawn["covariance"]["yy"][0].as<double>(), 9.0);
+  EXPECT_EQ(drawn["weighings"]["t"].as<std::vector<double>>(), (std::vector<double>{1.5, 2.0}));
+  EXPECT_EQ(drawn["weighings"]["kind"][0].as<std::string>(), "fix");
+  EXPECT_EQ(drawn["weighings"]["reason"][0].as<std::string>(), to_string(Reason::kGated));
+  EXPECT_EQ(drawn["weighings"]["nis"][0].as<double>(), 12.5);
+  EXPECT_TRUE(drawn["weighings"]["nis"][1].IsNull());
+  EXPECT_EQ(drawn["figures"]["max_m"].as<double>(), 3.5);
+  EXPECT_FALSE(drawn["drive"]);
+}
+
+TEST(ToTrace, LeavesOutFixesThatAreNotFinite) {
+  Drive drive;
+  drive.odometry = {{101.0, 1.0, 0.0, 0.0}};
+  GnssFix fix;
+  fix.stamp = 101.0;
+  fix.position = {1.0, std::numeric_limits<double>::quiet_NaN()};
+  drive.measurements.push_back({fix, fix.stamp});
+  EXPECT_EQ(YAML::Load(to_trace("title", drive, {RunRecord()}))["fixes"]["t"].size(), 0u);
+}
+
+TEST(ToTrace, TellsTheDriveOfARunThatWentAnotherWay) {
+  RunRecord first;
+  first.drive.odometry = {{101.0, 1.0, 0.0, 0.0}};
+  first.drive.truth = {{101.0, {1.0, 2.0, 0.0}, false, {}}};
+  RunRecord second = first;
+  second.drive.truth[0].base_in_map.x = 7.0;
+
+  const YAML::Node trace = YAML::Load(to_trace("title", Scenario(), {first, second}));
+  EXPECT_EQ(trace["truth"]["x"][0].as<double>(), 1.0);
+  EXPECT_FALSE(trace["runs"][0]["drive"]);
+  EXPECT_EQ(trace["runs"][1]["drive"]["truth"]["x"][0].as<double>(), 7.0);
+}
+
+TEST(ToTrace, DrawsTheFirstSeedWhicheverItIs) {
+  Drive drive;
+  drive.odometry = {{101.0, 1.0, 0.0, 0.0}};
+  RunRecord run;
+  run.seed = 5;
+  EXPECT_EQ(YAML::Load(to_trace("title", drive, {run}))["runs"].size(), 1u);
 }
 
 TEST(ToTrace, DrawsTheWayOfADriveWithoutTruth) {

@@ -76,8 +76,8 @@ RandomExtras parse_extras(const std::string& list) {
 
 /// What a suite over drives cannot be told.
 void refuse_for_suites(const po::variables_map& given, const Options& options) {
-  if (!options.suite.empty() && given.count("plot") + given.count("faults") > 0) {
-    throw UsageError("--plot and --faults are for one stream, not for a suite");
+  if (!options.suite.empty() && given.count("plot") + given.count("report") + given.count("faults") > 0) {
+    throw UsageError("--plot, --report and --faults are for one stream, not for a suite");
   }
   if (options.suite != kRandomSuite && given.count("write") + given.count("with") > 0) {
     throw UsageError("--write and --with are for --suite random");
@@ -118,6 +118,7 @@ Options read_options(const po::variables_map& given) {
   options.faults_file = text("faults");
   options.json_file = text("json");
   options.plot_file = text("plot");
+  options.report_file = text("report");
   options.write_directory = text("write");
   options.extras = parse_extras(text("with"));
   options.left_aside = parse_extras(text("without"));

@@ -29,6 +29,7 @@ struct Options {
   std::string faults_file;
   std::string json_file;
   std::string plot_file;
+  std::string report_file;
   std::string write_directory;
   RandomExtras extras;
   RandomExtras left_aside;

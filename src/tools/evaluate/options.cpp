@@ -89,7 +89,9 @@ po::options_description run_options() {
   add("json", text("FILE"), "write the figures of each run");
   add("write", text("DIR"),
       "instead of running anything: write the drives of --suite random as DIR/random_SEED");
-  add("plot", text("FILE.png"), "draw seed 1: trajectories, error and declared error over time");
+  add("plot", text("FILE.png"), "draw the first seed: trajectories, error and declared error over time");
+  add("report", text("FILE.html"),
+      "a page about the first seed, for any browser: map, errors, states, NIS and speeds over time, figures");
   add("help", "print this");
   return options;
 }
