@@ -43,8 +43,16 @@ function timeText(seconds, span) {
   return hours > 0 ? `${hours}:${two(minutes)}:${two(rest)}` : `${minutes}:${two(rest)}`;
 }
 
+/** What the first part of such a text counts. */
+const timeUnit = (span) => (span < 300 ? "s" : span < 3600 ? "min" : "h");
+
 /** A tick without zeros that say nothing. */
 const tickText = (value) => (value >= 1e5 ? value.toExponential(0).replace("+", "") : `${+value.toPrecision(6)}`);
+
+function lengthText(metres) {
+  if (metres >= 1000) return `${metres / 1000} km`;
+  return metres >= 1 ? `${metres} m` : `${+(100 * metres).toPrecision(3)} cm`;
+}
 
 /** A value to be read, or a dash where there is none. */
 function valueText(value, digits = 2) {

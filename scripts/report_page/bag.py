@@ -1,6 +1,8 @@
 """Reads a recorded run of one localization_node, or of several in namespaces of their own."""
 import pathlib
+import struct
 
+import genpy
 import rosbag
 
 from . import bag_node, bag_truth
@@ -8,6 +10,7 @@ from .run import distances
 from .series import BadRun, check_columns, in_order
 
 
+UNREADABLE = (rosbag.ROSBagException, genpy.MessageException, struct.error, OSError, EOFError, KeyError, ValueError)
 EMPTY = {"t": [], "x": [], "y": []}
 
 
@@ -54,8 +57,12 @@ def read_bag(file):
     """A recording as run.py has it. Throws BadRun."""
     try:
         nodes, truth = collect(file)
-    except (rosbag.ROSBagException, OSError, EOFError) as error:
+    except rosbag.ROSBagUnindexedException:
+        raise BadRun(f"has no index, as it was not closed: `rosbag reindex {file}` makes one") from None
+    except UNREADABLE as error:
         raise BadRun(f"cannot be read as a bag: {error}") from None
+    except AttributeError as error:
+        raise BadRun(f"holds messages of another version of this package: {error}") from None
     first = nodes[0]
     notes = [note for node in nodes for note in node.notes()] + list(truth.notes(first.frame))
     if not first.fixes["t"]:

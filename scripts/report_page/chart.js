@@ -84,7 +84,7 @@ class TimePanel {
       if (this.x(tick) < right - 28) context.fillText(timeText(tick, to), this.x(tick), bottom + 7);
     }
     context.textAlign = "right";
-    context.fillText(to < 300 ? "s" : "min", right + 10, bottom + 7);
+    context.fillText(timeUnit(to), right + 10, bottom + 7);
   }
 
   drawCursor() {
@@ -143,7 +143,9 @@ class LineChart extends TimePanel {
 
   y(value) {
     const [low, high] = this.shown;
-    const part = this.logarithmic ? Math.log(Math.max(value, 1e-9) / low) / Math.log(high / low) : (value - low) / (high - low);
+    const part = this.logarithmic
+      ? Math.log(Math.max(value, 1e-9) / low) / Math.log(high / low)
+      : (value - low) / (high - low);
     return this.bottom - part * (this.bottom - MARGIN.top);
   }
 

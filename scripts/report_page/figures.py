@@ -28,8 +28,8 @@ SCORES = [
 def scores(errors, prefix=""):
     if not errors:
         return {}
-    return {f"{prefix}rmse_m": math.sqrt(sum(e * e for e in errors) / len(errors)), f"{prefix}median_m": quantile(errors, 0.5),
-            f"{prefix}p95_m": quantile(errors, 0.95), f"{prefix}max_m": max(errors)}
+    return {f"{prefix}rmse_m": math.sqrt(sum(e * e for e in errors) / len(errors)),
+            f"{prefix}median_m": quantile(errors, 0.5), f"{prefix}p95_m": quantile(errors, 0.95), f"{prefix}max_m": max(errors)}
 
 
 def scored(run, recording):

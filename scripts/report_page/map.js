@@ -124,9 +124,10 @@ class TrackMap {
     const step = roundStep(90 / this.scale);
     const [west, north] = this.toPlace(0, 0);
     const [east, south] = this.toPlace(this.layers.width, this.layers.height);
+    const {width, height} = this.layers;
     context.fillStyle = this.view.colour("grid");
-    for (const x of multiples(west, east, step)) context.fillRect(Math.round(this.toPixel(x, 0)[0]), 0, 1, this.layers.height);
-    for (const y of multiples(south, north, step)) context.fillRect(0, Math.round(this.toPixel(0, y)[1]), this.layers.width, 1);
+    for (const x of multiples(west, east, step)) context.fillRect(Math.round(this.toPixel(x, 0)[0]), 0, 1, height);
+    for (const y of multiples(south, north, step)) context.fillRect(0, Math.round(this.toPixel(0, y)[1]), width, 1);
   }
 
   /** The line of a track from one time to another, broken at pauses. */
@@ -205,8 +206,7 @@ class TrackMap {
     context.fillRect(16, y, width, 3);
     context.fillRect(16, y - 5, 1.5, 8);
     context.fillRect(16 + width - 1.5, y - 5, 1.5, 8);
-    const text = metres >= 1000 ? `${metres / 1000} km` : metres >= 1 ? `${metres} m` : `${+(100 * metres).toPrecision(3)} cm`;
-    this.text(context, text, 16 + 0.5 * width, y - 12, "center");
+    this.text(context, lengthText(metres), 16 + 0.5 * width, y - 12, "center");
   }
 
   drawNorth(context) {

@@ -29,8 +29,8 @@ class ChartLayers {
   errors() {
     const {view} = this;
     const {t, error} = view.stream.fix_errors;
-    const fixes = view.shows("fixes") && t.length > 0 ? [{kind: "dots", t, y: error, top: 0.9, colour: view.colour("fix")}] : [];
-    return [...this.band(), ...fixes, ...this.ofRuns((run) => ({kind: "line", t: run.t, y: run.error, top: 0.998}))];
+    const fixes = {kind: "dots", t, y: error, top: 0.9, colour: view.colour("fix")};
+    return [...this.band(), ...(view.shows("fixes") ? [fixes] : []), ...this.ofRuns((run) => ({kind: "line", t: run.t, y: run.error, top: 0.998}))];
   }
 
   distances() {
@@ -55,7 +55,8 @@ class ChartLayers {
     }
     found.push(...this.ofRuns((run) => ({kind: "line", t: run.speeds.t, y: run.speeds.speed, top: 0.98, width: 1.2})));
     if (truth && view.shows("truth") && truth.speeds.t.length > 0) {
-      found.push({kind: "line", t: truth.speeds.t, y: truth.speeds.speed, top: 0.999, colour: view.colour("truth"), width: 1.4});
+      const {t, speed} = truth.speeds;
+      found.push({kind: "line", t, y: speed, top: 0.999, colour: view.colour("truth"), width: 1.4});
     }
     return found;
   }
@@ -68,15 +69,16 @@ function addCharts(view, parent) {
   const shaded = shadow ? "; grey: where they are biased" : "";
   const error = {unit: "m", from: 0, togglable: true, height: 260};
   if (view.hasTruth) {
-    new LineChart(view, parent, "Position error", `distance from the truth; band: the 3 sigma it claims; dots: fixes${shaded}`, error,
-                  () => layers.errors());
+    const note = `distance from the truth; band: the 3 sigma it claims; dots: fixes${shaded}`;
+    new LineChart(view, parent, "Position error", note, error, () => layers.errors());
   } else {
     new LineChart(view, parent, "Distance to the fixes", "from the estimate; band: the 3 sigma it claims",
                   error, () => layers.distances());
   }
   if (runs.some((run) => run.state.some((state) => state !== null))) new StateChart(view, parent);
   if (runs.some((run) => run.nis.t.length > 0)) {
-    new LineChart(view, parent, "NIS", "innovation squared over its variance; 95 % should lie below the line; cross: not used",
+    const note = "innovation squared over its variance; 95 % should lie below the line; cross: not used";
+    new LineChart(view, parent, "NIS", note,
                   {unit: "", from: 0, logarithmic: true, level: NIS_95, height: 170}, () => layers.nis());
   }
   if (runs.some((run) => run.headings.t.length > 0)) {

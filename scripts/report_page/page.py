@@ -12,8 +12,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 SCRIPTS = ("axes.js", "view.js", "chart.js", "states.js", "map.js", "page.js")
 DIGITS = 3  # of metres and seconds; more for what is small
 FIRST_DATE = 1e9  # [s]
-HINT = ("Errors are horizontal. An estimate is beyond its own 3 sigma where the truth lies outside the 3 sigma ellipse of its "
-        "covariance. NEES and NIS say how well claimed and true errors, claimed and seen innovations agree.")
+HINT = ("Errors are horizontal. An estimate is beyond its own 3 sigma where the truth lies outside the 3 sigma ellipse of "
+        "its covariance. NEES and NIS say how well claimed and true errors, claimed and seen innovations agree.")
 
 
 def rounded(value):

@@ -1,10 +1,11 @@
 """A run as the page draws it: an estimator's way beside truth, how sure it was, in which state, and its measurements.
 
-A recording is a dict: title, start (stamp of time 0), notes, streams and runs. A stream, over which one run or several went, has truth (t, x, y,
-shadow; None without), fixes (t, x, y), fix_errors (t, error) and odometry (t, speed). A run has name, stream (its number),
-estimates (t, x, y, yaw, state: a number, None where it is not known, xx, xy, yy: covariance [m^2]), headings (t, error [deg]),
-weighings (t, kind, reason, nis: None where nothing was compared) and figures as `evaluate --json`
-names them, or {} for those that are to be reckoned here.
+A recording is a dict: title, start (stamp of time 0), notes, streams and runs.
+A stream, over which one run or several went: truth (t, x, y, shadow; None without), fixes (t, x, y), fix_errors (t, error) and
+odometry (t, speed).
+A run: name, stream (its number), estimates (t, x, y, yaw, state: a number, None where it is not known, xx, xy, yy: covariance
+[m^2]), headings (t, error [deg]), weighings (t, kind, reason, nis: None where nothing was compared) and figures as
+`evaluate --json` names them, or {} for those that are to be reckoned here.
 """
 import math
 

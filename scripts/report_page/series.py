@@ -3,6 +3,7 @@ import bisect
 import math
 
 LONGEST_PAUSE = 86400.0  # [s] between two entries: stamps of two clocks lie further apart
+LARGEST = 1e30  # no number of a run is larger, and the square of this one is still a number
 MOST_POINTS = 6000  # of a series, several for each pixel of a wide screen
 
 
@@ -11,7 +12,7 @@ class BadRun(Exception):
 
 
 def is_number(value):
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and -LARGEST < value < LARGEST
 
 
 def check_times(name, times):
@@ -24,14 +25,14 @@ def check_times(name, times):
 
 
 def check_columns(name, columns):
-    """Refuses columns of different length and what is no finite number in them."""
+    """Refuses columns of different length and what is no number in them."""
     if len({len(column) for column in columns.values()}) > 1:
         sizes = ", ".join(f"{key} {len(column)}" for key, column in columns.items())
         raise BadRun(f"{name}: the columns differ in length: {sizes}")
     for key, column in columns.items():
         for i, value in enumerate(column):
             if not is_number(value):
-                raise BadRun(f"{name}: {key} {i + 1} is {value}, which is not a finite number")
+                raise BadRun(f"{name}: {key} {i + 1} is {str(value)[:40]}, which is no number to be drawn")
 
 
 def selected(columns, indices):

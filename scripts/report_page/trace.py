@@ -15,7 +15,7 @@ def part(owner, name, kind, of):
 
 
 def columns_of(owner, of, names, late=True):
-    """Columns of finite numbers; with `late` rows may stand out of order, as measurements come."""
+    """Columns of numbers; with `late` rows may stand out of order, as measurements come."""
     found = {name: part(owner, name, list, of) for name in names}
     check_columns(of, found)
     if late:
@@ -26,9 +26,9 @@ def columns_of(owner, of, names, late=True):
 
 def read_states(run, of):
     states = part(run, "state", list, of)
-    unknown = next((state for state in states if state not in STATES), None)
-    if unknown is not None:
-        raise BadRun(f"{of}: '{unknown}' is no state")
+    for state in states:
+        if state not in STATES:
+            raise BadRun(f"{of}: {str(state)[:40]} is no state")
     return [STATES.index(state) for state in states]
 
 
@@ -41,7 +41,7 @@ def read_weighings(run, of):
         raise BadRun(f"{of}: the columns differ in length")
     for name in ("t", "nis"):
         if not all(is_number(value) or (value is None and name != "t") for value in found[name]):
-            raise BadRun(f"{of}: {name} holds what is not a finite number")
+            raise BadRun(f"{of}: {name} holds what is no number to be drawn")
     return found
 
 
@@ -54,9 +54,10 @@ def read_run(run):
     estimates["state"] = read_states(run, of)
     if len(estimates["state"]) != len(estimates["t"]):
         raise BadRun(f"{of}: there are {len(estimates['state'])} states at {len(estimates['t'])} times")
+    figures = {key: value for key, value in part(run, "figures", dict, of).items() if is_number(value)}
     headings = columns_of(part(run, "heading_errors_deg", dict, of), f"{of}, heading errors", ("t", "error"))
     return {"name": name, "estimates": estimates, "headings": headings, "weighings": read_weighings(run, of),
-            "figures": part(run, "figures", dict, of), "drive": run.get("drive")}
+            "figures": figures, "drive": run.get("drive")}
 
 
 def read_stream(owner, of):
@@ -98,6 +99,6 @@ def read_trace(file):
         raise BadRun("no run of it has an estimate")
     streams = read_streams(data, runs)
     if len(streams) > 1:
-        notes.append("Each estimator steered the robot by itself, another way than the others: truth and fixes shown are those "
-                     "of the one chosen above the map.")
+        notes.append("Each estimator steered the robot by itself, another way than the others: truth and fixes shown are "
+                     "those of the one chosen above the map.")
     return {"title": part(data, "title", str, of), "start": 0.0, "notes": notes, "streams": streams, "runs": runs}

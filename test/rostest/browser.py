@@ -17,18 +17,22 @@ const all = (selector) => [...document.querySelectorAll(selector)];
 const later = (frames, action) => requestAnimationFrame(() => frames > 1 ? later(frames - 1, action) : action());
 const point = (type, element, part) => {
   const box = element.getBoundingClientRect();
-  element.dispatchEvent(new PointerEvent(type, {bubbles: true, clientX: box.left + part * box.width, clientY: box.top + 50}));
+  const place = {clientX: box.left + part * box.width, clientY: box.top + 50};
+  element.dispatchEvent(new PointerEvent(type, {bubbles: true, ...place}));
 };
-const drawn = (canvas) => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some((part) => part > 0);
+const pixels = (canvas) => canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+const drawn = (canvas) => pixels(canvas).some((part) => part > 0);
 const steps = [
   () => { found.charts = all('figcaption b').map((title) => title.textContent);
           found.drawn = all('.plot, #map').map((plot) => drawn(plot.querySelector('canvas'))); },
   () => point('pointermove', all('.plot')[0], 0.5),
   () => { found.pointed = document.getElementById('readout').textContent;
           found.marked = all('.plot, #map').map((plot) => drawn(plot.querySelectorAll('canvas')[1])); },
-  () => { point('pointerdown', all('.plot')[0], 0.3); point('pointermove', all('.plot')[0], 0.6); point('pointerup', all('.plot')[0], 0.6); },
+  () => point('pointerdown', all('.plot')[0], 0.3),
+  () => point('pointermove', all('.plot')[0], 0.6),
+  () => point('pointerup', all('.plot')[0], 0.6),
   () => { found.window = view.window.map((time) => Math.round(time)); },
-  () => { document.getElementById('map').dispatchEvent(new WheelEvent('wheel', {deltaY: -200, clientX: 300, clientY: 400})); },
+  () => document.getElementById('map').dispatchEvent(new WheelEvent('wheel', {deltaY: -200, clientX: 300, clientY: 400})),
   () => { all('#legend button, .tools button, .mapbuttons button').forEach((button) => button.click()); },
   () => { for (const key of ['ArrowRight', 'Escape']) {
             document.getElementById('charts').dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true})); } },

@@ -14,6 +14,7 @@ import rosbag
 import rospkg
 import rostest
 import yaml
+from genpy.dynamic import generate_dynamic
 from roslib.packages import find_node
 from std_msgs.msg import String
 
@@ -141,8 +142,20 @@ class Report(unittest.TestCase):
         self.refused(self.folder / 'run.bag', 'no pose of localization_node', '/chatter', 'evaluate --bag')
 
     def test_a_damaged_bag_is_refused(self):
-        (self.folder / 'run.bag').write_bytes(b'#ROSBAG V2.0\n' + bytes(range(256)) * 20)
+        (self.folder / 'run.bag').write_bytes(b'#ROSBAG V9.9\n' + bytes(range(256)) * 20)
         self.refused(self.folder / 'run.bag', 'cannot be read as a bag')
+
+    def test_a_bag_that_was_not_closed_is_refused_with_the_remedy(self):
+        recorded_run.write_run(self.folder / 'run.bag')
+        whole = (self.folder / 'run.bag').read_bytes()
+        (self.folder / 'run.bag').write_bytes(whole[:len(whole) // 2])
+        self.refused(self.folder / 'run.bag', 'rosbag reindex')
+
+    def test_messages_of_another_version_are_refused(self):
+        name = 'multipath_localization/FixReport'
+        other = generate_dynamic(name, 'bool accepted\n')[name]
+        self.refused_bag(lambda step, topic, message: other() if topic == '/localization/fix_report' else message,
+                         'another version', 'predicted_sigma')
 
     def test_poses_that_are_none_are_refused(self):
         def broken(step, topic, message):
@@ -177,6 +190,7 @@ class Report(unittest.TestCase):
         self.refused_trace({'runs': [dict(columns, y=[0.0, math.nan])]}, 'run one: y 2 is nan')
         self.refused_trace({'runs': [dict(columns, t=[1.0, 0.0])]}, 'time goes back')
         self.refused_trace({'runs': [dict(columns, t=[0.0, 'x'])]}, 'run one: t 2 is x')
+        self.refused_trace({'runs': [dict(columns, t=[0.0, 10 ** 400])]}, 'run one: t 2 is 1000')
         self.refused_trace({'runs': [columns]}, "run one has no 'covariance'")
 
     def test_without_two_files_it_says_how_it_is_used(self):
