@@ -154,7 +154,7 @@ BroadcastOrbit take_orbit(ByteReader& in) {
     cosine_and_sine->y() = next();
     cosine_and_sine->x() = next();
   }
-  for (double& coefficient : orbit.clock_polynomial) coefficient = next();
+  for (Eigen::Index i = 0; i < orbit.clock_polynomial.size(); ++i) orbit.clock_polynomial[i] = next();
   const double first = next();
   const double second = next();
   orbit.group_delay = galileo ? second : first;
@@ -175,7 +175,7 @@ GlonassOrbit take_glonass_orbit(ByteReader& in) {
   orbit.healthy = in.take<std::uint32_t>() == 0;
   in.skip(sizeof(std::uint32_t) + sizeof(double));  // age, accuracy
   for (Eigen::Vector3d* vector : {&orbit.position, &orbit.velocity, &orbit.acceleration}) {
-    for (double& component : *vector) component = in.take<double>();
+    for (Eigen::Index i = 0; i < vector->size(); ++i) (*vector)[i] = in.take<double>();
   }
   orbit.clock = -in.take<double>();
   orbit.clock_drift = in.take<double>();
