@@ -42,17 +42,17 @@ std::size_t joined_at(const std::vector<Eigen::Vector2d>& route, const Eigen::Ve
   return joined;
 }
 
-std::string old_pose(double age) {
-  if (!std::isfinite(age)) return "no pose yet";
-  return "pose is " + fixed_text(std::abs(age), 1) + (age > 0.0 ? " s old" : " s ahead");
-}
-
 double extent_of(const std::vector<Eigen::Vector2d>& waypoints) {
   double extent = 0.0;
   for (const Eigen::Vector2d& waypoint : waypoints) {
     extent = std::max(extent, (waypoint - waypoints.front()).norm());
   }
   return extent;
+}
+
+/// Of a route driven round, at least [m].
+double loop_extent(const WaypointFollowerParameters& p) {
+  return 2.0 * (1.0 / p.tightest_curvature() + p.switch_radius);
 }
 
 }  // namespace
@@ -62,6 +62,7 @@ WaypointFollower::WaypointFollower(const WaypointFollowerParameters& parameters,
     : parameters_(parameters),
       waypoints_(std::move(waypoints)),
       extent_(extent_of(waypoints_)),
+      caution_(parameters),
       trail_(kJustNow * parameters.cruise_speed) {
   require_finite(waypoints_);
 }
@@ -72,7 +73,7 @@ void WaypointFollower::move_waypoints(std::vector<Eigen::Vector2d> waypoints) {
   waypoints_ = std::move(waypoints);
   extent_ = extent_of(waypoints_);
   driver_.reset();
-  first_position_.reset();
+  caution_.forget_positions();
   trail_.clear();
 }
 
@@ -118,11 +119,7 @@ double WaypointFollower::progress() const {
 
 bool WaypointFollower::finished() const { return passed_ > 0 && target() == 0 && !loops(); }
 
-bool WaypointFollower::can_loop() const { return extent_ > loop_extent(); }
-
-double WaypointFollower::loop_extent() const {
-  return 2.0 * (1.0 / parameters_.tightest_curvature() + parameters_.switch_radius);
-}
+bool WaypointFollower::can_loop() const { return extent_ > loop_extent(parameters_); }
 
 void WaypointFollower::skip() {
   if (waypoints_.empty() || finished()) return;
@@ -131,9 +128,7 @@ void WaypointFollower::skip() {
 }
 
 void WaypointFollower::heed(Trust state) {
-  if (state != Trust::kNotReady && state != Trust::kLost) return;
-  underway_ = false;
-  first_position_.reset();
+  if (!caution_.heed(state)) return;
   driver_.reset();
   trail_.clear();
 }
@@ -142,13 +137,10 @@ FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Tru
   heed(state);
   if (finished()) return end();
   if (waypoints_.empty()) return {{}, "stopped: no waypoints"};
-  const std::string reason = reason_not_to_trust(pose, pose_age, state, sigma);
-  if (!reason.empty()) return {{}, "stopped: " + reason, true};
-
-  const Pace pace = pace_by(state, sigma);
-  if (pace.ratio == 0.0) return {{}, "stopped: " + pace.reason};
-  underway_ = underway_ || heading_shown(pose.position(), state);
-  if (!underway_) return {{pace.ratio * parameters_.cruise_speed, 0.0}, pace.status};
+  const KnownPose known{pose, pose_age, state, sigma};
+  const Pace pace = caution_.pace(known);
+  if (pace.ratio == 0.0) return {{}, pace.status, pace.urgent};
+  if (!caution_.heading_shown(known)) return {{pace.ratio * parameters_.cruise_speed, 0.0}, pace.status};
   trail_.add(pose.position());
   if (!driver_) lay_path({pose.position()}, pose.position());
   pass_waypoints(pose);
@@ -157,40 +149,9 @@ FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Tru
 
 FollowerOutput WaypointFollower::end() const {
   if (!parameters_.loop) return {{}, "finished"};
-  return {
-      {},
-      "finished: loop needs a waypoint farther than " + fixed_text(loop_extent(), 1) + " m from the first"};
-}
-
-std::string WaypointFollower::reason_not_to_trust(const Pose2& pose, double pose_age, Trust state,
-                                                  double sigma) const {
-  if (!(std::abs(pose_age) <= parameters_.max_pose_age)) return old_pose(pose_age);
-  if (!pose.finite() || !std::isfinite(sigma)) return "pose not finite";
-  if (state == Trust::kNotReady) return "localisation not ready";
-  if (state == Trust::kLost) return "localisation lost";
-  return "";
-}
-
-WaypointFollower::Pace WaypointFollower::pace_by(Trust state, double sigma) const {
-  const auto slow = [](double ratio, const std::string& reason) {
-    return Pace{ratio, reason, ratio < 1.0 ? "slow: " + reason : "driving"};
-  };
-  if (state == Trust::kAligning) return slow(parameters_.aligning_speed_ratio, "heading not yet confirmed");
-  const double range = parameters_.stop_sigma - parameters_.slow_sigma;
-  const double left = parameters_.stop_sigma - sigma;
-  double ratio = left > 0.0 ? 1.0 : 0.0;
-  if (sigma > parameters_.slow_sigma && range > 0.0) ratio = std::clamp(left / range, 0.0, 1.0);
-  switch (state) {
-    case Trust::kMultipath: return slow(ratio, "fixes are biased");
-    case Trust::kDeadReckoning: return slow(ratio, "no usable fix");
-    default: return slow(ratio, "position uncertain");
-  }
-}
-
-bool WaypointFollower::heading_shown(const Eigen::Vector2d& position, Trust state) {
-  if (!first_position_) first_position_ = position;
-  const bool far_enough = (position - *first_position_).norm() >= parameters_.aligning_distance;
-  return state != Trust::kAligning || far_enough;
+  return {{},
+          "finished: loop needs a waypoint farther than " + fixed_text(loop_extent(parameters_), 1) +
+              " m from the first"};
 }
 
 void WaypointFollower::lay_path(std::vector<Eigen::Vector2d> behind, const Eigen::Vector2d& position) {

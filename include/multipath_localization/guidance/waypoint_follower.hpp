@@ -9,6 +9,7 @@
 #include "multipath_localization/core/motion_command.hpp"
 #include "multipath_localization/core/pose.hpp"
 #include "multipath_localization/core/trust.hpp"
+#include "multipath_localization/guidance/caution.hpp"
 #include "multipath_localization/guidance/path_driver.hpp"
 #include "multipath_localization/guidance/trail.hpp"
 #include "multipath_localization/guidance/waypoint_follower_parameters.hpp"
@@ -79,19 +80,7 @@ class WaypointFollower {
   [[nodiscard]] const SpeedProfile* speed_profile() const { return driver_ ? &driver_->speed() : nullptr; }
 
  private:
-  /// How fast to drive by the pose, and the words for it.
-  struct Pace {
-    double ratio;  ///< of the cruise speed
-    std::string reason;
-    std::string status;
-  };
-
-  [[nodiscard]] Pace pace_by(Trust state, double sigma) const;
-  [[nodiscard]] std::string reason_not_to_trust(const Pose2& pose, double pose_age, Trust state,
-                                                double sigma) const;
-  [[nodiscard]] bool heading_shown(const Eigen::Vector2d& position, Trust state);
   [[nodiscard]] bool loops() const { return parameters_.loop && can_loop(); }
-  [[nodiscard]] double loop_extent() const;  ///< of a route driven round, at least [m]
   /// Lays the path by places behind the robot through the waypoints to come.
   void lay_path(std::vector<Eigen::Vector2d> behind, const Eigen::Vector2d& position);
   void lay_path_anew();  ///< through other waypoints to come, if there is one
@@ -106,10 +95,9 @@ class WaypointFollower {
   std::vector<Eigen::Vector2d> waypoints_;
   double extent_;  ///< greatest distance of a waypoint from the first [m]
   std::size_t passed_ = 0;
-  std::optional<PathDriver> driver_;               ///< none: from where the robot is next
-  std::optional<Eigen::Vector2d> first_position_;  ///< since the pose is known
+  Caution caution_;
+  std::optional<PathDriver> driver_;  ///< none: from where the robot is next
   Trail trail_;
-  bool underway_ = false;  ///< the heading has been good enough to steer by
 };
 
 }  // namespace multipath_localization

@@ -3,9 +3,6 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include <cmath>
-#include <stdexcept>
-
 #include "ros/messages/conversions.hpp"
 #include "ros/steering_node/steering_node.hpp"
 
@@ -52,53 +49,27 @@ void SteeringNode::take_clicked_point(const geometry_msgs::PointStamped& message
     obey("clicked point", {false, "it is in frame '" + shown(message.header.frame_id) + "'"});
     return;
   }
-  obey("clicked point", record({message.point.x, message.point.y}));
+  obey("clicked point", routes_.record({message.point.x, message.point.y}));
 }
 
 Answer SteeringNode::stop() {
-  standing_since_ = {};  // zero is said again, whoever drives
+  commands_.speak_again();
   return mission_.stop();
 }
 
 Answer SteeringNode::record_pose() {
-  const bool present = std::abs(pose_age(ros::Time::now())) <= parameters_.follower.max_pose_age;
-  if (!present || !pose_.finite()) return {false, "there is no present pose"};
-  if (trust_ == Trust::kNotReady || trust_ == Trust::kLost) {
-    return {false, "the localisation does not know where the robot is"};
+  if (!pose_is_present() || !pose_.pose().finite()) return {false, "there is no present pose"};
+  if (!pose_.known()) return {false, "the localisation does not know where the robot is"};
+  Answer answer = routes_.record(pose_.pose().position());
+  if (answer.done && pose_.trust() != Trust::kGood) {
+    answer.message += "; beware, the localisation is not GOOD here";
   }
-  Answer answer = record(pose_.position());
-  if (answer.done && trust_ != Trust::kGood) answer.message += "; beware, the localisation is not GOOD here";
   return answer;
 }
 
-Answer SteeringNode::record(const Eigen::Vector2d& in_map) {
-  if (parameters_.waypoint_file.empty())
-    return {false, "the parameter waypoint_file names no file to save to"};
-  WaypointList recording = recording_.value_or(waypoints_);
-  try {
-    append(recording, in_map, origin_);
-  } catch (const std::invalid_argument& reason) {
-    return {false, reason.what()};
-  }
-  recording_ = recording;
-  return {true, "waypoint " + std::to_string(recording.points.size()) + ", to be kept by save"};
-}
-
 Answer SteeringNode::save() {
-  const std::string& file = parameters_.waypoint_file;
-  if (!recording_) return {false, "nothing is recorded"};
-  try {
-    const WaypointList recording = moved(*recording_, origin_);
-    write_waypoints(file, recording);
-    waypoints_ = recording;
-  } catch (const std::exception& reason) {
-    return {false, reason.what()};
-  }
-  mission_.stop();
-  recording_.reset();
-  place_waypoints();
-  return {true,
-          std::to_string(waypoints_.points.size()) + " waypoints in " + file + "; start drives along them"};
+  outputs_.show_anew();
+  return routes_.save();
 }
 
 }  // namespace multipath_localization
