@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "multipath_localization/core/covariance.hpp"
+#include "multipath_localization/guidance/waypoint_follower.hpp"
 
 namespace multipath_localization {
 
@@ -19,7 +20,7 @@ class CourseWatch {
     const std::vector<Eigen::Vector2d>& waypoints = follower_.waypoints();
     if (waypoints.empty()) return;
     const std::size_t passed =
-        waypoints.size() * static_cast<std::size_t>(follower_.laps()) + follower_.target();
+        waypoints.size() * static_cast<std::size_t>(follower_.route().rounds()) + follower_.target();
     closest_.resize(passed + 1, std::numeric_limits<double>::infinity());
     for (std::size_t i = passed == 0 ? 0 : passed - 1; i <= passed; ++i) {
       closest_[i] = std::min(closest_[i], (waypoints[i % waypoints.size()] - truth).norm());
@@ -30,7 +31,7 @@ class CourseWatch {
   [[nodiscard]] Course course() const {
     Course course;
     course.standing = standing_;
-    course.laps = follower_.laps();
+    course.laps = follower_.route().rounds();
     if (closest_.size() < 2) return course;
     course.waypoints_passed = closest_.size() - 1;
     course.worst_miss = *std::max_element(closest_.begin(), closest_.end() - 1);

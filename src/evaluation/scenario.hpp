@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "multipath_localization/guidance/waypoint_follower.hpp"
+#include "multipath_localization/guidance/waypoint_follower_parameters.hpp"
 #include "simulation/simulator.hpp"
 
 namespace multipath_localization {

@@ -11,6 +11,7 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kStraight = 1e-6;        // a corner that turns less bends nothing [rad]
+constexpr double kCusp = 1e-3;            // pieces follow each other without a turn, but for cusps [rad]
 constexpr double kSmallestRadius = 1e-3;  // an arc below that is a cusp [m]
 
 Eigen::Vector2d along(double heading) { return {std::cos(heading), std::sin(heading)}; }
@@ -137,6 +138,13 @@ double Path::nearest(const Eigen::Vector2d& position, double from, double to) co
     nearest = piece.begin + u;
   }
   return nearest;
+}
+
+bool Path::turns_back_at(double station) const {
+  const std::size_t i = piece_at(station);
+  if (i == 0 || pieces_[i].begin != station) return false;
+  const PathPiece& before = pieces_[i - 1];
+  return std::abs(pieces_[i].heading - before.at(before.length).heading) > kCusp;
 }
 
 double Path::mean_curvature(double from, double to) const {

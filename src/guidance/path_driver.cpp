@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/guidance/path_tracking.hpp"
 
 namespace multipath_localization {
@@ -30,16 +31,30 @@ SpeedLimits limits_of(const WaypointFollowerParameters& p) {
 
 }  // namespace
 
-PathDriver::PathDriver(const WaypointFollowerParameters& parameters, PathProgress progress, double end_speed)
+double spin_towards(double turn, const CommandLimits& limits) {
+  const double braked = std::sqrt(2.0 * kPlannedBraking * limits.max_yaw_acceleration * std::abs(turn));
+  return std::copysign(std::min(braked, limits.max_yaw_rate), turn);
+}
+
+PathDriver::PathDriver(const WaypointFollowerParameters& parameters, PathProgress progress,
+                       const PathPlan& plan)
     : parameters_(parameters),
       progress_(std::move(progress)),
-      speed_(progress_.path(), limits_of(parameters), end_speed) {}
+      speed_(progress_.path(), limits_of(parameters), plan.end_speed, plan.zones),
+      reverse_(plan.reverse) {}
+
+Pose2 PathDriver::leading(const Pose2& pose) const {
+  return reverse_ ? Pose2{pose.x, pose.y, wrap_angle(pose.yaw + kPi)} : pose;
+}
 
 PathCommand PathDriver::command(const Pose2& pose, double most) {
-  const double spin = spin_to_path(pose);
+  const Pose2 ahead = leading(pose);
+  const double spin = spin_to_path(ahead);
   if (spin != 0.0) return {{}, spin};
-  const double speed = std::min(most, speed_at(pose));
-  return {{speed, std::atan(parameters_.wheelbase * curvature(pose, speed))}};
+  const double speed = std::min(most, speed_at(ahead));
+  const double angle = std::atan(parameters_.wheelbase * curvature(ahead, speed, progress_.station()));
+  if (reverse_) return {{-speed, -angle}};
+  return {{speed, angle}};
 }
 
 double PathDriver::spin_to_path(const Pose2& pose) {
@@ -47,9 +62,7 @@ double PathDriver::spin_to_path(const Pose2& pose) {
   const double turn = angle_difference(progress_.path().at(progress_.station()).heading, pose.yaw);
   spinning_ = std::abs(turn) > (spinning_ ? kFacing : kFacingAside);
   if (!spinning_) return 0.0;
-  const CommandLimits& limits = parameters_.limits;
-  const double braked = std::sqrt(2.0 * kPlannedBraking * limits.max_yaw_acceleration * std::abs(turn));
-  return std::copysign(std::min(braked, limits.max_yaw_rate), turn);
+  return spin_towards(turn, parameters_.limits);
 }
 
 double PathDriver::speed_at(const Pose2& pose) const {
@@ -58,11 +71,24 @@ double PathDriver::speed_at(const Pose2& pose) const {
   return speed_.at(progress_.path(), progress_.station() - aside);
 }
 
-double PathDriver::curvature(const Pose2& pose, double speed) const {
+std::vector<Pose2> PathDriver::way_ahead(const Pose2& pose, double speed, double length) const {
+  const Path& path = progress_.path();
+  double station = progress_.station();
+  const double most = std::min(length, path.length() - station);
+  const double forward = reverse_ ? -1.0 : 1.0;
+  std::vector<Pose2> way = {pose};
+  for (double gone = 0.0; gone < most; gone += kWayStep) {
+    const double turn = curvature(leading(way.back()), speed, station);
+    way.push_back(way.back() * displacement({0.0, kWayStep, forward, turn}));
+    station = path.nearest(way.back().position(), station, station + 2.0 * kWayStep);
+  }
+  return way;
+}
+
+double PathDriver::curvature(const Pose2& pose, double speed, double station) const {
   const double tightest = parameters_.tightest_curvature();
   const double settling = std::max({kSettlingTime * speed, kSettlingRadii / tightest, kShortestSettling});
   const Path& path = progress_.path();
-  const double station = progress_.station();
   // The mean over the way that full lock takes asks for no faster steering than there is.
   const double middle = station + speed * parameters_.steering_lag;
   const double half = 0.5 * std::max(speed * parameters_.time_to_lock(), kShortestMean);

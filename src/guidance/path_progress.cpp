@@ -44,7 +44,7 @@ void PathProgress::pass_next() {
   const double station = path_.station(next_++);
   const PathPiece& bend = path_.pieces()[path_.piece_at(station)];
   // Round a bend that the base cannot follow it does not come by itself: beyond it lies where to go.
-  const bool cusp = bend.begin == station && bend.curvature == 0.0;
+  const bool cusp = bend.begin == station && path_.turns_back_at(station);
   if (cusp || std::abs(bend.curvature) > 2.0 * rule_.tightest_curvature) {
     earliest_ = std::max(earliest_, cusp ? station : bend.end());
     station_ = std::max(station_, earliest_);

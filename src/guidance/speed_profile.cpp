@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace multipath_localization {
 
 namespace {
+
+constexpr double kSliver = 1e-6;         // of a piece, that counts to no zone [m]
+constexpr double kTimeStep = 0.2;        // along the path, of a duration [m]
+constexpr double kMostTimeSteps = 5000;  // longer ways have longer ones
 
 /// The speed from which braking over a distance leads to `end_speed`.
 double braked_from(double end_speed, double deceleration, double distance) {
@@ -21,14 +26,27 @@ double limit_in(double curvature, const SpeedLimits& limits) {
   return driven * speed > limits.yaw_rate ? limits.yaw_rate / driven : speed;
 }
 
+/// Of a piece of a path, by the zones it lies in.
+double limit_of(const std::vector<SpeedZone>& zones, const PathPiece& piece) {
+  double limit = std::numeric_limits<double>::infinity();
+  double begin = 0.0;
+  for (const SpeedZone& zone : zones) {
+    if (piece.end() > begin + kSliver && piece.begin < zone.end - kSliver)
+      limit = std::min(limit, zone.speed);
+    begin = zone.end;
+  }
+  return limit;
+}
+
 }  // namespace
 
-SpeedProfile::SpeedProfile(const Path& path, const SpeedLimits& limits, double end_speed)
+SpeedProfile::SpeedProfile(const Path& path, const SpeedLimits& limits, double end_speed,
+                           const std::vector<SpeedZone>& zones)
     : deceleration_(limits.deceleration), stretches_(path.pieces().size()) {
   double exit_speed = end_speed;
   for (std::size_t i = stretches_.size(); i-- > 0;) {
     const PathPiece& piece = path.pieces()[i];
-    const double limit = limit_in(piece.curvature, limits);
+    const double limit = std::min(limit_in(piece.curvature, limits), limit_of(zones, piece));
     stretches_[i] = {limit, std::min(exit_speed, limit)};
     exit_speed = std::min(limit, braked_from(stretches_[i].exit_speed, deceleration_, piece.length));
   }
@@ -38,6 +56,18 @@ double SpeedProfile::at(const Path& path, double s) const {
   const std::size_t i = path.piece_at(s);
   const Stretch& stretch = stretches_[i];
   return std::min(stretch.limit, braked_from(stretch.exit_speed, deceleration_, path.pieces()[i].end() - s));
+}
+
+double SpeedProfile::duration(const Path& path, double from, double to) const {
+  const double step = std::max(kTimeStep, (to - from) / kMostTimeSteps);
+  double duration = 0.0;
+  for (double s = from; s < to; s += step) {
+    const double length = std::min(step, to - s);
+    const double speed = at(path, s + 0.5 * length);
+    if (speed <= 0.0) return std::numeric_limits<double>::infinity();
+    duration += length / speed;
+  }
+  return duration;
 }
 
 }  // namespace multipath_localization

@@ -103,12 +103,13 @@ void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::o
   if (!fault.empty()) throw std::invalid_argument("the point is " + fault);
   if (waypoints.points.size() >= kMostWaypoints) throw std::invalid_argument("there are too many waypoints");
   if (waypoints.points.empty()) waypoints.on_earth = map.has_value();
+  if (waypoints.on_earth && !map) throw std::invalid_argument(kNoOrigin);
+  if (!waypoints.tasks.empty()) waypoints.tasks.emplace_back();
   if (!waypoints.on_earth) {
     waypoints = moved(waypoints, map);
     waypoints.points.push_back(in_map);
     return;
   }
-  if (!map) throw std::invalid_argument(kNoOrigin);
   const Geodetic place = map->to_geodetic(in_map);
   waypoints.points.emplace_back(place.latitude_deg, place.longitude_deg);
 }
@@ -145,6 +146,9 @@ void write_waypoints(const std::string& file, const WaypointList& waypoints) {
   const Format& format = format_of(file);
   if (format.text_of == nullptr) {
     throw ParameterError(file + ": can be read only; waypoints are written as .yaml, .csv or .geojson");
+  }
+  if (!waypoints.tasks.empty() && format.text_of != yaml_of) {
+    throw ParameterError(file + ": speeds, waits and reverse can be written as .yaml alone");
   }
   replace_file(file, format.text_of(waypoints));
 }

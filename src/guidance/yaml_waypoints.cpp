@@ -1,7 +1,10 @@
 #include "guidance/yaml_waypoints.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <iomanip>
+#include <limits>
 
 #include "core/plain_yaml.hpp"
 #include "guidance/waypoint_reading.hpp"
@@ -11,14 +14,43 @@ namespace multipath_localization {
 
 namespace {
 
+constexpr const char* kForms = "a waypoint is [x, y], {x: , y: } or {latitude: , longitude: }";
+constexpr const char* kUntilResumed = "resume";
+
 /// The names a point's coordinates have; none in the short form.
 std::array<std::string, 2> names_in(const YAML::Node& item, const FilePlace& place) {
-  if (item.size() == 2) {
-    if (item.IsSequence()) return {};
-    if (item.IsMap() && item["x"] && item["y"]) return {"x", "y"};
-    if (item.IsMap() && item["latitude"] && item["longitude"]) return {"latitude", "longitude"};
+  if (item.IsSequence() && item.size() == 2) return {};
+  if (item.IsMap() && item["x"] && item["y"]) return {"x", "y"};
+  if (item.IsMap() && item["latitude"] && item["longitude"]) return {"latitude", "longitude"};
+  throw place.error(kForms);
+}
+
+double positive(const YAML::Node& value, const std::string& name, const FilePlace& place) {
+  const auto number = yaml_number<double>(value);
+  if (!(number > 0.0) || !std::isfinite(number)) throw place.error(name + " is a number above 0");
+  return number;
+}
+
+/// What a waypoint says beside its coordinates, as many names.
+WaypointTask task_in(const YAML::Node& item, std::size_t coordinates, const FilePlace& place) {
+  WaypointTask task;
+  std::size_t known = coordinates;
+  if (const YAML::Node speed = item["speed"]) {
+    task.speed = positive(speed, "speed", place);
+    ++known;
   }
-  throw place.error("a waypoint is [x, y], {x: , y: } or {latitude: , longitude: }");
+  if (const YAML::Node wait = item["wait"]) {
+    const bool by_call = wait.IsScalar() && wait.Scalar() == kUntilResumed;
+    task.wait = by_call ? std::numeric_limits<double>::infinity() : positive(wait, "wait", place);
+    ++known;
+  }
+  if (const YAML::Node reverse = item["reverse"]) {
+    task.reverse = reverse.as<bool>();
+    ++known;
+  }
+  if (known != item.size())
+    throw place.error(std::string(kForms) + ", with speed, wait and reverse as wanted");
+  return task;
 }
 
 void append(WaypointList& list, const YAML::Node& item, const FilePlace& place) {
@@ -29,6 +61,20 @@ void append(WaypointList& list, const YAML::Node& item, const FilePlace& place) 
   const YAML::Node first = names[0].empty() ? item[0] : item[names[0]];
   const YAML::Node second = names[1].empty() ? item[1] : item[names[1]];
   append(list, {yaml_number<double>(first), yaml_number<double>(second)}, place);
+  list.tasks.push_back(item.IsMap() ? task_in(item, names.size(), place) : WaypointTask{});
+}
+
+bool says_nothing(const WaypointTask& task) {
+  return std::isinf(task.speed) && task.wait == 0.0 && !task.reverse;
+}
+
+std::string text_of(const WaypointTask& task) {
+  PlainStream text;
+  if (std::isfinite(task.speed)) text << ", speed: " << task.speed;
+  if (task.wait > 0.0 && std::isinf(task.wait)) text << ", wait: " << kUntilResumed;
+  if (task.wait > 0.0 && std::isfinite(task.wait)) text << ", wait: " << task.wait;
+  if (task.reverse) text << ", reverse: true";
+  return text.str();
 }
 
 YAML::Node content_of(const std::string& file) {
@@ -57,6 +103,7 @@ WaypointList read_yaml_waypoints(const std::string& file) {
   } catch (const YAML::Exception& error) {
     throw place_of(file, error.mark).error(error.msg);
   }
+  if (std::all_of(list.tasks.begin(), list.tasks.end(), says_nothing)) list.tasks.clear();
   return list;
 }
 
@@ -65,8 +112,10 @@ std::string yaml_of(const WaypointList& waypoints) {
   const std::string second = waypoints.on_earth ? "longitude" : "y";
   PlainStream content;
   content << std::fixed << std::setprecision(waypoints.on_earth ? 9 : 4) << "waypoints:\n";
-  for (const Eigen::Vector2d& point : waypoints.points) {
-    content << "  - {" << first << ": " << point.x() << ", " << second << ": " << point.y() << "}\n";
+  for (std::size_t i = 0; i < waypoints.points.size(); ++i) {
+    const Eigen::Vector2d& point = waypoints.points[i];
+    content << "  - {" << first << ": " << point.x() << ", " << second << ": " << point.y()
+            << (waypoints.tasks.empty() ? "" : text_of(waypoints.tasks[i])) << "}\n";
   }
   return content.str();
 }

@@ -7,6 +7,7 @@
 #include "evaluation/closed_loop.hpp"
 #include "evaluation/scenario.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
+#include "multipath_localization/guidance/waypoint_follower.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -51,7 +52,7 @@ TEST_P(ShippedScenario, IsDrivenRoundByItsOwnSteering) {
     simulator.step(limiter.limited(output.command, output.urgent, simulator.time_step()));
     shadow += simulator.in_shadow() ? 1 : 0;
   }
-  EXPECT_GE(follower.laps(), 2);
+  EXPECT_GE(follower.route().rounds(), 2);
   EXPECT_GT(shadow, 0.25 * steps);
   EXPECT_LT(shadow, 0.6 * steps);
 }
@@ -75,7 +76,7 @@ TEST(ShippedStreet, IsDrivenOnItsPathToCentimetres) {
     largest = std::max(largest, offset);
     simulator.step(limiter.limited(output.command, output.urgent, simulator.time_step()));
   }
-  EXPECT_GE(follower.laps(), 2);
+  EXPECT_GE(follower.route().rounds(), 2);
   EXPECT_LT(std::sqrt(squares / steps), 0.03);
   EXPECT_LT(largest, 0.10);
 }
@@ -116,7 +117,7 @@ TEST(ShippedCanyon, HidesFewSatellitesAndSpoilsTheFix) {
       squares += simulator.in_shadow() ? 0.0 : simulator.bias().squaredNorm();
       open += simulator.in_shadow() ? 0 : 1;
     }
-    EXPECT_GE(follower.laps(), 1);
+    EXPECT_GE(follower.route().rounds(), 1);
     EXPECT_GT(open, 0.85 * steps);
     EXPECT_GT(std::sqrt(squares / open), 10.0);
     EXPECT_LT(std::sqrt(squares / open), 30.0);

@@ -98,5 +98,14 @@ TEST(Path, OfOnePlaceHasNoLength) {
   }
 }
 
+TEST(Path, TurnsBackAtACuspAlone) {
+  const Path path({{0.0, 0.0}, {10.0, 0.0}, {20.0, 0.0}, {5.0, 0.0}, {5.0, 10.0}}, 1.0);
+  EXPECT_FALSE(path.turns_back_at(0.0));
+  EXPECT_FALSE(path.turns_back_at(path.station(1)));
+  EXPECT_TRUE(path.turns_back_at(path.station(2)));
+  EXPECT_FALSE(path.turns_back_at(path.station(3)));
+  EXPECT_FALSE(path.turns_back_at(path.station(2) + 0.1));
+}
+
 }  // namespace
 }  // namespace multipath_localization

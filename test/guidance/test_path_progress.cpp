@@ -77,5 +77,14 @@ TEST(PathProgress, KeepsThePlacesBehindThatBendThePath) {
   EXPECT_EQ(progress.behind().back(), Eigen::Vector2d(20.0, 20.0));
 }
 
+TEST(PathProgress, IsNotCarriedAheadByAWaypointPassedOnAStraightLine) {
+  PathProgress progress({{0.0, 0.0}, {20.0, 0.0}, {40.0, 0.0}}, 1, kStop, {19.0, 0.0});
+  EXPECT_TRUE(progress.passes({19.1, 0.3, 0.0}));
+  progress.pass_next();
+  EXPECT_NEAR(progress.station(), 19.1, 1e-9);
+  EXPECT_NEAR(progress.deviation({19.1, 0.3}), 0.3, 1e-9);
+  EXPECT_NEAR(progress.station_ahead(0), 40.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace multipath_localization

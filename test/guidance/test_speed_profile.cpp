@@ -55,5 +55,27 @@ TEST(SpeedProfile, ComesToTheEndAtTheSpeedItIsTold) {
   EXPECT_EQ(SpeedProfile(place, kLimits, 0.0).at(place, 0.0), 0.0);
 }
 
+TEST(SpeedProfile, KeepsTheSpeedOfEachZoneAndBrakesForIt) {
+  const Path path = hook();
+  const double corner = path.station(1);
+  const SpeedProfile speed(path, kLimits, 3.0, {{corner, 2.0}, {path.length(), 0.4}});
+  EXPECT_EQ(speed.at(path, 5.0), 2.0);
+  EXPECT_NEAR(speed.at(path, corner), 0.4, 1e-9);  // in both
+  EXPECT_EQ(speed.at(path, path.length()), 0.4);
+  const double before = path.pieces()[1].begin - 1.0;
+  EXPECT_NEAR(speed.at(path, before), std::sqrt(0.4 * 0.4 + 2.0 * 0.5 * 1.0), 1e-6);
+}
+
+TEST(SpeedProfile, TellsHowLongAWayTakes) {
+  const Path line({{0.0, 0.0}, {30.0, 0.0}}, 1.0);
+  EXPECT_NEAR(SpeedProfile(line, kLimits, 3.0).duration(line, 0.0, 30.0), 10.0, 1e-6);
+  EXPECT_NEAR(SpeedProfile(line, kLimits, 3.0).duration(line, 12.0, 15.0), 1.0, 1e-6);
+  const double braking = SpeedProfile(line, kLimits, 0.0).duration(line, 0.0, 30.0);
+  EXPECT_NEAR(braking, (30.0 - 9.0) / 3.0 + 6.0, 0.3);
+  SpeedLimits standing = kLimits;
+  standing.cruise_speed = 0.0;
+  EXPECT_TRUE(std::isinf(SpeedProfile(line, standing, 0.0).duration(line, 0.0, 30.0)));
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -39,7 +39,7 @@ TEST_P(Law, DrivesLapAfterLapOnExactPoses) {
     pose = driven(pose, follower.command(pose, 0.0, Trust::kGood).command, 0.5, 0.02);
     ASSERT_LT((pose.position() - Eigen::Vector2d(10.0, 10.0)).lpNorm<Eigen::Infinity>(), 12.0);
   }
-  EXPECT_EQ(follower.laps(), 3);
+  EXPECT_EQ(follower.route().rounds(), 3);
 }
 
 TEST_P(Law, FinishesWithoutLoop) {
@@ -122,7 +122,7 @@ TEST(WaypointFollower, CountsLapsAndProgress) {
     const Eigen::Vector2d& at = kSquare[static_cast<std::size_t>(i) % 4];
     follower.command({at.x(), at.y(), 0.0}, 0.0, Trust::kGood);
   }
-  EXPECT_EQ(follower.laps(), 1);
+  EXPECT_EQ(follower.route().rounds(), 1);
   EXPECT_DOUBLE_EQ(follower.progress(), 1.5);
   EXPECT_EQ(follower.target(), 2U);
   EXPECT_FALSE(follower.finished());

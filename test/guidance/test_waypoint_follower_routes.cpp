@@ -48,7 +48,7 @@ TEST_P(OddRoute, DrivesASmallRouteOnceAndSaysWhyNotAgain) {
     const FollowerOutput output = follower.command({}, 0.0, Trust::kGood);
     EXPECT_EQ(output.command.speed, 0.0);
     EXPECT_EQ(output.status, "finished: loop needs a waypoint farther than 3.5 m from the first");
-    EXPECT_EQ(follower.laps(), 1);
+    EXPECT_EQ(follower.route().rounds(), 1);
     EXPECT_FALSE(follower.can_loop());
   }
 }
@@ -58,8 +58,8 @@ TEST_P(OddRoute, CountsALapOnceAndOnlyWhenItWasDriven) {
     WaypointFollower follower(parameters(), {{0.0, 0.0}, {distance, 0.0}});
     const double most = 200.0;
     EXPECT_EQ(way_to_the_end(follower, parameters(), most), most);
-    EXPECT_GE(follower.laps(), 1);
-    EXPECT_LE(follower.laps() * 2.0 * (distance - 2.0 * parameters().switch_radius), most);
+    EXPECT_GE(follower.route().rounds(), 1);
+    EXPECT_LE(follower.route().rounds() * 2.0 * (distance - 2.0 * parameters().switch_radius), most);
   }
 }
 

@@ -143,5 +143,27 @@ TEST(WaypointMission, KeepsItsWaypointsWhenNewOnesAreNotFinite) {
   EXPECT_EQ(robot.follower().waypoints().size(), kLine.size());
 }
 
+TEST(WaypointMission, IsHeldForAReasonUntilItIsResumed) {
+  WaypointMission held = mission();
+  at(held, 0.0);
+  held.hold("emergency stop");
+  const FollowerOutput output = at(held, 1.0);
+  EXPECT_EQ(output.status, "paused: emergency stop, waiting for resume");
+  EXPECT_TRUE(output.urgent);
+  EXPECT_EQ(output.command.speed, 0.0);
+  EXPECT_TRUE(held.resume().done);
+  EXPECT_EQ(at(held, 1.0).status, "driving");
+  held.pause();
+  EXPECT_EQ(at(held, 1.0).status, "paused: waiting for resume");
+  EXPECT_FALSE(at(held, 1.0).urgent);
+}
+
+TEST(WaypointMission, StandingByOrderIsNotHeld) {
+  WaypointMission stopped = mission();
+  stopped.stop();
+  stopped.hold("emergency stop");
+  expect_standing(stopped, "stopped: by order, waiting for start");
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "waypoint_file_test.hpp"
 
 namespace multipath_localization {
@@ -17,6 +19,26 @@ TEST_F(YamlWaypoints, ReadsTheFormsOfYaml) {
   EXPECT_EQ(earth.points, (Points{{35.5, 139.25}}));
 }
 
+TEST_F(YamlWaypoints, HoldsWhatIsToBeDoneAtWaypoints) {
+  const std::string file = holding("a.yaml",
+                                   "waypoints:\n  - [0, 0]\n  - {x: 1, y: 2, speed: 0.5, wait: 10}\n"
+                                   "  - {x: 3, y: 4, wait: resume, reverse: true}\n");
+  for (int written = 0; written < 2; ++written) {
+    const WaypointList list = read_waypoints(file).value();
+    ASSERT_EQ(list.tasks.size(), 3U);
+    EXPECT_TRUE(std::isinf(list.tasks[0].speed));
+    EXPECT_EQ(list.tasks[0].wait, 0.0);
+    EXPECT_EQ(list.tasks[1].speed, 0.5);
+    EXPECT_EQ(list.tasks[1].wait, 10.0);
+    EXPECT_FALSE(list.tasks[1].reverse);
+    EXPECT_TRUE(std::isinf(list.tasks[2].wait));
+    EXPECT_TRUE(list.tasks[2].reverse);
+    write_waypoints(file, list);
+    EXPECT_THROW(write_waypoints(file + ".csv", list), ParameterError);
+  }
+  EXPECT_TRUE(read_waypoints(holding("b.yaml", "waypoints: [[1, 2]]"))->tasks.empty());
+}
+
 TEST_F(YamlWaypoints, RefusesABadLineOfYamlByItsNumber) {
   const std::string forms = ": a waypoint is [x, y], {x: , y: } or {latitude: , longitude: }";
   EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, 2]\n  - [1, 2, 3]\n"), ":3" + forms);
@@ -27,6 +49,12 @@ TEST_F(YamlWaypoints, RefusesABadLineOfYamlByItsNumber) {
             ":3: a point of map among such on Earth, or the reverse");
   EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, two]\n").rfind(":2: ", 0), 0U);
   EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - [1, 2\n").rfind(":3: ", 0), 0U);
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - {x: 1, y: 2, sped: 3}\n"),
+            ":2" + forms + ", with speed, wait and reverse as wanted");
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - {x: 1, y: 2, wait: -3}\n"), ":2: wait is a number above 0");
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - {x: 1, y: 2, speed: .inf}\n"),
+            ":2: speed is a number above 0");
+  EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - {x: 1, y: 2, reverse: 3}\n").rfind(":2: ", 0), 0U);
   for (const char* other : {"", "[[1, 2]]", "waypoints: 3", "waypoints: [[1, 2]]\nloop: true"}) {
     EXPECT_EQ(refusal("a.yaml", other), ":1: the file holds a list named waypoints and nothing else");
   }

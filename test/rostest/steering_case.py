@@ -1,5 +1,6 @@
 """What tests of steering_node share: poses and states made up here, and what the node makes of them."""
 import math
+import subprocess
 import time
 import unittest
 
@@ -7,6 +8,7 @@ import rospy
 from geometry_msgs.msg import Pose, PoseArray, Twist
 from multipath_localization.msg import LocalizationState, SteeringCommand
 from nav_msgs.msg import Odometry
+from roslib.packages import find_node
 from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool, Trigger
 
@@ -51,6 +53,16 @@ class SteeringCase(unittest.TestCase):
         cls.cmd_vel = Last("cmd_vel", Twist)
         cls.status = Last("steering/status", String)
         cls.progress = Last("steering/progress", Float64)
+
+    def begin(self, *arguments):
+        """Starts the node, ended with the test at the latest."""
+        self.steering.message = self.cmd_vel.message = self.status.message = None
+        node = find_node("multipath_localization", "steering_node")[0]
+        self.node = subprocess.Popen([node, "__name:=steering", *arguments])
+        self.addCleanup(self.node.wait)
+        self.addCleanup(self.node.kill)
+        wait_for_subscribers(self.pose, self.state)
+        self.set_state(LocalizationState.GOOD)
 
     def order(self, name, *data):
         """Calls a service of the node; whether it was done, and the message."""

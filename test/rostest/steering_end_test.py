@@ -1,17 +1,14 @@
 #!/usr/bin/python3
 """steering_node leaves the robot standing when it ends, and to others when it has been told to stand."""
 import signal
-import subprocess
 import time
 import xmlrpc.client
 
 import rosgraph
 import rospy
 import rostest
-from multipath_localization.msg import LocalizationState
-from roslib.packages import find_node
 
-from steering_case import SteeringCase, wait_for_subscribers
+from steering_case import SteeringCase
 
 
 def kill_by_name():
@@ -20,16 +17,6 @@ def kill_by_name():
 
 
 class SteeringEndTest(SteeringCase):
-    def begin(self, *arguments):
-        """Starts the node, ended with the test at the latest."""
-        self.steering.message = self.cmd_vel.message = self.status.message = None
-        node = find_node("multipath_localization", "steering_node")[0]
-        self.node = subprocess.Popen([node, "__name:=steering", *arguments])
-        self.addCleanup(self.node.wait)
-        self.addCleanup(self.node.kill)
-        wait_for_subscribers(self.pose, self.state)
-        self.set_state(LocalizationState.GOOD)
-
     def drive_until_the_node_has_ended(self):
         """Poses go on, so that no watchdog stops the robot."""
         end = time.time() + 10.0

@@ -5,11 +5,12 @@ import time
 
 import rospy
 import rostest
-from geometry_msgs.msg import PoseArray
-from multipath_localization.msg import LocalizationState
+from geometry_msgs.msg import PoseArray, PoseStamped
+from multipath_localization.msg import LocalizationState, RouteProgress
+from nav_msgs.msg import Path
 from rosgraph_msgs.msg import Clock
 
-from steering_case import SteeringCase, wait_for_subscribers, waypoint_array
+from steering_case import Last, SteeringCase, wait_for_subscribers, waypoint_array
 
 STEP = 0.1  # of the robot's motion for each command [s]
 
@@ -20,7 +21,10 @@ class SteeringRoutesTest(SteeringCase):
         super().setUpClass()
         cls.waypoints = rospy.Publisher("waypoints", PoseArray, queue_size=10)
         cls.clock = rospy.Publisher("/clock", Clock, queue_size=10, latch=True)
-        wait_for_subscribers(cls.pose, cls.state, cls.waypoints, cls.clock)
+        cls.goal = rospy.Publisher("move_base_simple/goal", PoseStamped, queue_size=1)
+        cls.plan = rospy.Publisher("plan", Path, queue_size=1)
+        cls.to_go = Last("steering/route_progress", RouteProgress)
+        wait_for_subscribers(cls.pose, cls.state, cls.waypoints, cls.clock, cls.goal, cls.plan)
         cls.stamp = 0
         cls.time = 1000.0
 
@@ -104,6 +108,33 @@ class SteeringRoutesTest(SteeringCase):
             self.assertLess(self.way, 36.0)
         finally:
             self.order("loop", True)
+
+    def place(self, x, y, yaw):
+        message = PoseStamped()
+        message.header.frame_id = "map"
+        message.header.stamp = rospy.Time(self.time)
+        message.pose.position.x, message.pose.position.y = x, y
+        message.pose.orientation.z, message.pose.orientation.w = math.sin(0.5 * yaw), math.cos(0.5 * yaw)
+        return message
+
+    def test_drives_to_a_goal_of_rviz_with_its_heading(self):
+        self.goal.publish(self.place(10.0, 5.0, 1.5))
+        self.drive("driving")
+        self.drive("finished")
+        while self.cmd_vel.message.linear.x > 0.0:
+            self.step()
+        self.assertLess(math.hypot(self.x - 10.0, self.y - 5.0), 0.1)
+        self.assertAlmostEqual(self.yaw, 1.5, delta=0.1)
+
+    def test_drives_along_the_plan_of_a_planner_once(self):
+        plan = Path()
+        plan.header.frame_id = "map"
+        plan.poses = [self.place(0.2 * i, 0.05 * i, 0.0) for i in range(80)]
+        self.plan.publish(plan)
+        self.drive("driving")
+        self.drive_past(8.0)
+        self.assertEqual(self.to_go.message.waypoints, 80)
+        self.drive("finished", 20.0)
 
     def test_stops_at_once_when_the_route_is_emptied(self):
         self.send([(10, 0)])

@@ -47,6 +47,8 @@ class Path {
   [[nodiscard]] double nearest(const Eigen::Vector2d& position, double from, double to) const;
   /// Where the path comes by a vertex [m].
   [[nodiscard]] double station(std::size_t vertex) const { return stations_[vertex]; }
+  /// Whether it has a cusp there [m].
+  [[nodiscard]] bool turns_back_at(double station) const;
   /// Mean curvature between two places, the first before the other, a cusp's turn included [1/m].
   [[nodiscard]] double mean_curvature(double from, double to) const;
 

@@ -38,6 +38,8 @@ class PathProgress {
   [[nodiscard]] const Path& path() const { return path_; }
   [[nodiscard]] double station() const { return station_; }  ///< of the base, along the path [m]
   [[nodiscard]] std::size_t left() const { return vertices_.size() - next_; }  ///< vertices to be passed
+  /// Where the path comes by the vertex `ahead` of the next [m].
+  [[nodiscard]] double station_ahead(std::size_t ahead) const { return path_.station(next_ + ahead); }
   [[nodiscard]] const Eigen::Vector2d& position() const { return position_; }  ///< of the base, last
   [[nodiscard]] bool done() const { return left() == 0; }
   /// How far the base is from the path, prolonged beyond its end [m].

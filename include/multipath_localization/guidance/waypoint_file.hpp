@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "multipath_localization/core/geodesy.hpp"
+#include "multipath_localization/guidance/route.hpp"
 
 namespace multipath_localization {
 
@@ -21,6 +22,7 @@ struct WaypointList {
   bool on_earth = false;  ///< the points are latitude and longitude [deg], else x and y in map [m]
   std::vector<Eigen::Vector2d> points;           ///< kMostWaypoints at most
   std::optional<LocalFrame> map = std::nullopt;  ///< that x and y are in, when known
+  std::vector<WaypointTask> tasks = {};          ///< one for each point, or none at all
 };
 
 /// The same places on the ground with x and y in `map`; as they are where they are on Earth, or where one of
@@ -40,7 +42,9 @@ void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::o
 
 /// Waypoints of a file, in the order of driving; all of one kind. By its ending:
 ///   .csv         the columns `x,y` or `latitude,longitude`, named in the first line; `#` begins a comment
-///   .yaml, .yml  `waypoints:`, a list of `[x, y]`, `{x: , y: }` or `{latitude: , longitude: }`
+///   .yaml, .yml  `waypoints:`, a list of `[x, y]`, `{x: , y: }` or `{latitude: , longitude: }`, the latter
+///   two
+///                with `speed`, `wait` (seconds, or `resume`) and `reverse` as wanted, see WaypointTask
 ///   .geojson, .json, .kml  a line, or the outer ring of a polygon, else the points
 ///   .gpx         the route, else the track, else the waypoints
 ///   .plan, .waypoints  what QGroundControl, Mission Planner and others save, of waypoints alone
@@ -52,8 +56,9 @@ std::optional<WaypointList> read_waypoints(const std::string& file);
 std::vector<Eigen::Vector2d> load_points(const YAML::Node& source, const std::string& path);
 
 /// Writes a file of waypoints, .csv, .yaml or .geojson, to 0.1 mm; it is replaced as a whole. Throws
-/// ParameterError on another ending, or where GeoJSON cannot hold the list, which is then empty or in x and y
-/// of a map whose origin is not known, and std::system_error where it cannot write.
+/// ParameterError on another ending, on tasks, which .yaml alone holds, or where GeoJSON cannot hold the
+/// list, which is then empty or in x and y of a map whose origin is not known, and std::system_error where it
+/// cannot write.
 void write_waypoints(const std::string& file, const WaypointList& waypoints);
 
 }  // namespace multipath_localization

@@ -4,7 +4,7 @@
 
 #include "multipath_localization/guidance/command_limiter.hpp"
 #include "multipath_localization/guidance/waypoint_follower.hpp"
-#include "ros/steering_node/pose_input.hpp"
+#include "ros/steering_node/moment.hpp"
 
 namespace multipath_localization {
 

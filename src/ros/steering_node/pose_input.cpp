@@ -21,20 +21,12 @@ Trust to_trust(const LocalizationState& message) {
 void PoseInput::take(const nav_msgs::Odometry& message, const ros::SteadyTime& arrived) {
   pose_ = to_pose2(message.pose.pose).value_or(Pose2{kNaN, kNaN, kNaN});
   sigma_ = std::sqrt(0.5 * (message.pose.covariance[0] + message.pose.covariance[7]));
-  stamp_ = message.header.stamp;
-  arrived_ = arrived;
+  arrival_ = {message.header.stamp, arrived};
 }
 
 bool PoseInput::take(const LocalizationState& message) {
   const Trust before = std::exchange(trust_, to_trust(message));
   return trust_ != before && !known();
-}
-
-double PoseInput::age(const Moment& now) const {
-  if (stamp_.isZero()) return kNaN;
-  const double age = now.stamp.toSec() - stamp_.toSec();  // a ros::Duration throws beyond 68 years
-  const double silence = (now.steady - arrived_).toSec();
-  return silence > std::abs(age) ? silence : age;
 }
 
 }  // namespace multipath_localization

@@ -1,21 +1,13 @@
 #pragma once
 
 #include <nav_msgs/Odometry.h>
-#include <ros/time.h>
 
 #include "multipath_localization/LocalizationState.h"
 #include "multipath_localization/core/pose.hpp"
 #include "multipath_localization/core/trust.hpp"
+#include "ros/steering_node/moment.hpp"
 
 namespace multipath_localization {
-
-/// The time by the clock of messages, which may be simulated, and by one that always goes on.
-struct Moment {
-  ros::Time stamp;
-  ros::SteadyTime steady;
-
-  static Moment now() { return {ros::Time::now(), ros::SteadyTime::now()}; }
-};
 
 /// Where the robot was last, and whether to drive by it.
 class PoseInput {
@@ -32,15 +24,12 @@ class PoseInput {
   [[nodiscard]] Trust trust() const { return trust_; }
   /// Whether the localisation knows where the robot is.
   [[nodiscard]] bool known() const { return trust_ != Trust::kNotReady && trust_ != Trust::kLost; }
-  /// By its stamp, or, where that is longer, since it arrived: a clock that stands still ages nothing [s].
-  /// NaN without a pose.
-  [[nodiscard]] double age(const Moment& now) const;
+  [[nodiscard]] double age(const Moment& now) const { return arrival_.age(now); }  ///< NaN without one [s]
 
  private:
   Pose2 pose_;
   double sigma_ = 0.0;
-  ros::Time stamp_;  ///< zero before the first pose
-  ros::SteadyTime arrived_;
+  Arrival arrival_;
   Trust trust_ = Trust::kNotReady;
 };
 

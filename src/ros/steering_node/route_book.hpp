@@ -2,10 +2,13 @@
 
 #include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/PoseStamped.h>
+#include <nav_msgs/Path.h>
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "multipath_localization/GeoPose.h"
 #include "multipath_localization/guidance/waypoint_file.hpp"
 #include "multipath_localization/guidance/waypoint_mission.hpp"
 #include "ros/steering_node/steering_settings.hpp"
@@ -27,6 +30,16 @@ class RouteBook {
   /// Returns whether it changed the mission.
   bool take_waypoints(const geometry_msgs::PoseArray& message);
 
+  /// Takes a goal, from rviz or whom else, for a robot at `pose` in map where that is known: driven to once.
+  /// A quaternion of zeros leaves the heading there open. Returns whether it changed the mission.
+  bool take_goal(const geometry_msgs::PoseStamped& message, const std::optional<Pose2>& pose);
+
+  /// The same by latitude and longitude, given at `now`, where map's origin is known.
+  bool take_goal(const GeoPose& message, const std::optional<Pose2>& pose, const ros::Time& now);
+
+  /// Takes the path of a planner, likewise.
+  bool take_plan(const nav_msgs::Path& message);
+
   /// Records a waypoint in map [m], to be kept by save.
   Answer record(const Eigen::Vector2d& in_map);
 
@@ -35,12 +48,17 @@ class RouteBook {
 
  private:
   void place_waypoints();
+  /// Offers waypoints in map to the mission; `what` they are is for the log.
+  bool offer(const std::vector<Eigen::Vector2d>& points, const RouteTasks& tasks, const ros::Time& stamp,
+             const std::string& what);
+  bool offer_goal(const geometry_msgs::Pose& goal, const std::optional<Pose2>& pose, const ros::Time& stamp);
+  [[nodiscard]] bool in_map(const std_msgs::Header& header, const std::string& what) const;
   void tell(Delivery delivery, bool resized) const;
 
   WaypointMission& mission_;
-  std::string file_;  ///< empty: none
-  std::string map_frame_;
+  SteeringNodeParameters parameters_;
   WaypointList waypoints_;
+  RouteTasks tasks_;                       ///< along them
   std::optional<WaypointList> recording_;  ///< the waypoints and more, until they are saved
   std::optional<LocalFrame> origin_;       ///< of map, when known
 };

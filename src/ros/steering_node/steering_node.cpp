@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "multipath_localization/guidance/coming_way.hpp"
 #include "ros/messages/conversions.hpp"
 
 namespace multipath_localization {
@@ -12,7 +13,9 @@ SteeringNode::SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& p
       mission_(settings.parameters.follower, {}, settings.parameters.autostart),
       routes_(settings, mission_),
       commands_(settings.parameters.follower),
-      outputs_(node, private_node, settings.parameters) {
+      outputs_(node, private_node, settings.parameters),
+      safety_inputs_(node, settings.parameters),
+      safety_(settings.parameters.safety, settings.parameters.follower.limits.max_deceleration) {
   ros::NodeHandle outer(node);
   ros::NodeHandle own(private_node);
   subscribe(outer);
@@ -37,6 +40,16 @@ void SteeringNode::subscribe(ros::NodeHandle& node) {
       "waypoints", 1, [this](const geometry_msgs::PoseArrayConstPtr& message) {
         if (routes_.take_waypoints(*message)) drive_anew();
       }));
+  inputs_.push_back(node.subscribe<geometry_msgs::PoseStamped>(
+      "move_base_simple/goal", 1, [this](const geometry_msgs::PoseStampedConstPtr& message) {
+        if (routes_.take_goal(*message, known_pose())) drive_anew();
+      }));
+  inputs_.push_back(node.subscribe<GeoPose>("geo_goal", 1, [this](const GeoPoseConstPtr& message) {
+    if (routes_.take_goal(*message, known_pose(), ros::Time::now())) drive_anew();
+  }));
+  inputs_.push_back(node.subscribe<nav_msgs::Path>("plan", 1, [this](const nav_msgs::PathConstPtr& message) {
+    if (routes_.take_plan(*message)) drive_anew();
+  }));
   if (!parameters_.take_clicked_points) return;
   inputs_.push_back(node.subscribe<geometry_msgs::PointStamped>(
       "clicked_point", 10,
@@ -57,6 +70,11 @@ bool SteeringNode::pose_is_present() const {
   return std::abs(pose_.age(Moment::now())) <= parameters_.follower.max_pose_age;
 }
 
+std::optional<Pose2> SteeringNode::known_pose() const {
+  const bool known = pose_is_present() && pose_.known() && pose_.pose().finite();
+  return known ? std::optional(pose_.pose()) : std::nullopt;
+}
+
 void SteeringNode::watch() {
   if (!pose_is_present()) return drive();
   if (const auto command = commands_.braked(Moment::now())) publish(*command);
@@ -71,9 +89,21 @@ void SteeringNode::drive() {
   const Moment now = Moment::now();
   const double age = pose_.age(now);
   const Pose2 present = commands_.limiter().carried_forward(pose_.pose(), age);
-  const FollowerOutput wanted = mission_.command(present, age, pose_.trust(), pose_.sigma());
-  outputs_.report(wanted.status, mission_.follower());
+  const FollowerOutput wanted =
+      guarded(mission_.command(present, age, pose_.trust(), pose_.sigma(), now.steady.toSec()), present, now);
+  outputs_.report(wanted.status, mission_);
   if (const auto command = commands_.towards(wanted, mission_.stands(), now)) publish(*command);
+}
+
+FollowerOutput SteeringNode::guarded(const FollowerOutput& wanted, const Pose2& present, const Moment& now) {
+  const CommandLimiter& limiter = commands_.limiter();
+  const double speed = limiter.last().speed;
+  const std::vector<Pose2> way = coming_way(mission_.follower(), parameters_.follower, present,
+                                            wanted.command, safety_.look_ahead(speed));
+  const FollowerOutput allowed =
+      safety_.guarded(wanted, speed, safety_inputs_.hazards(way, limiter, now), now.steady.toSec());
+  if (parameters_.safety.resume_by_call && !safety_.reason().empty()) mission_.hold(safety_.reason());
+  return allowed;
 }
 
 void SteeringNode::halt() { publish(commands_.halted()); }

@@ -5,14 +5,17 @@
 #include <ros/ros.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "multipath_localization/LocalizationState.h"
+#include "multipath_localization/guidance/safety_stop.hpp"
 #include "multipath_localization/guidance/waypoint_mission.hpp"
 #include "ros/steering_node/command_stream.hpp"
 #include "ros/steering_node/pose_input.hpp"
 #include "ros/steering_node/route_book.hpp"
+#include "ros/steering_node/safety_inputs.hpp"
 #include "ros/steering_node/steering_outputs.hpp"
 #include "ros/steering_node/steering_settings.hpp"
 
@@ -39,9 +42,12 @@ class SteeringNode {
   Answer record_pose();
   Answer save();
   [[nodiscard]] bool pose_is_present() const;
+  [[nodiscard]] std::optional<Pose2> known_pose() const;
   void watch();
   void drive_anew();  ///< along other waypoints
   void drive();
+  /// What is left of a command in the face of what is in the way.
+  FollowerOutput guarded(const FollowerOutput& wanted, const Pose2& present, const Moment& now);
   void publish(const MotionCommand& command);
 
   SteeringNodeParameters parameters_;
@@ -50,6 +56,8 @@ class SteeringNode {
   PoseInput pose_;
   CommandStream commands_;
   SteeringOutputs outputs_;
+  SafetyInputs safety_inputs_;
+  SafetyStop safety_;
   std::vector<ros::Subscriber> inputs_;
   std::vector<ros::ServiceServer> orders_;
   ros::WallTimer watchdog_;

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 
 #include <string>
 
 #include "multipath_localization/core/motion_command.hpp"
-#include "multipath_localization/guidance/waypoint_follower.hpp"
+#include "multipath_localization/guidance/waypoint_mission.hpp"
 #include "ros/steering_node/steering_settings.hpp"
 
 namespace multipath_localization {
@@ -19,20 +20,26 @@ class SteeringOutputs {
   /// A command that turns the base at `yaw_rate` [rad/s].
   void command(const MotionCommand& command, double yaw_rate, const ros::Time& now);
 
-  /// The status, when it is another than before, and the way with the progress on it likewise.
-  void report(const std::string& status, const WaypointFollower& follower);
+  /// What is wanted of a mission, and what becomes of it: the status, when it is another than before, and the
+  /// way with the progress on it likewise. Diagnostics have it once a second.
+  void report(const std::string& status, const WaypointMission& mission);
 
   /// The waypoints are others: they are shown with the next report, whatever the progress.
   void show_anew() { progress_ = -1.0; }
 
  private:
   void say(const std::string& status);
+  void tell_progress(const WaypointFollower& follower);
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnosis) const;
 
   SteeringNodeParameters parameters_;
   std::string status_;
   double progress_ = -1.0;
   bool path_shown_ = false;  ///< by the markers, not the lines between waypoints
-  ros::Publisher steering_, cmd_vel_, status_out_, progress_out_, markers_;
+  bool stands_ = false;      ///< by order, or at the end of the way
+  ros::SteadyTime told_;     ///< when the progress was, last
+  ros::Publisher steering_, cmd_vel_, status_out_, progress_out_, route_progress_, markers_;
+  diagnostic_updater::Updater diagnostics_;
 };
 
 }  // namespace multipath_localization

@@ -4,6 +4,7 @@ namespace multipath_localization {
 
 void SteeringNodeParameters::fields(ParameterVisitor& field) {
   follower.fields(field);
+  field.group("safety", safety, "what halts the robot along its path, beside its pose");
   field("autostart", autostart, "drive as soon as the pose allows it, else wait for the service start");
   field("waypoint_file", waypoint_file, {},
         "waypoints in map or by latitude and longitude, by its full path: .csv, .yaml, .geojson, .kml, .gpx, "

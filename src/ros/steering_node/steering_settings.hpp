@@ -3,14 +3,16 @@
 #include <string>
 
 #include "multipath_localization/core/parameters.hpp"
+#include "multipath_localization/guidance/safety_stop.hpp"
 #include "multipath_localization/guidance/waypoint_file.hpp"
 #include "multipath_localization/guidance/waypoint_follower.hpp"
 
 namespace multipath_localization {
 
-/// Parameters of steering_node: the follower's, and the names of frames.
+/// Parameters of steering_node: the follower's, what halts the robot, and the names of frames.
 struct SteeringNodeParameters {
   WaypointFollowerParameters follower;
+  SafetyParameters safety;
   bool autostart = true;
   std::string waypoint_file;
   bool take_clicked_points = false;

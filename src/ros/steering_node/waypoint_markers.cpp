@@ -87,7 +87,7 @@ visualization_msgs::MarkerArray waypoint_markers(const WaypointFollower& followe
     all.markers.push_back(label);
   }
   if (follower.progress_on_path() != nullptr) {
-    draw_path(follower.progress_on_path()->path(), *follower.speed_profile(), cruise_speed, way);
+    draw_path(follower.progress_on_path()->path(), follower.driver()->speed(), cruise_speed, way);
   } else {
     draw_lines(follower.waypoints(), way);
   }
