@@ -158,16 +158,14 @@ EpochEvidence PseudorangeKalmanFilter::update(const SlottedEpoch& epoch, const R
 /// What a range says for the place. A bias once explained by the satellite's state is charged again as long
 /// as it lasts: else a wrong place whose biases fit wins against the right one with late satellites.
 double PseudorangeKalmanFilter::evidence_of_place(const SlottedObservation& satellite,
-                                                  const SlottedEpoch& epoch,
-                                                  const RangeErrorParameters& errors,
-                                                  const Residual& residual) const {
+                                                  const SlottedEpoch& epoch, const Residual& residual) const {
   const int b = PseudorangeBelief::state_of(satellite.bias_slot);
   const double rest = residual.HPHt - 2.0 * residual.PHt(b) + belief.covariance(b, b);
   const double variance = std::max(0.0, rest) + square(scales.range * satellite.sigma) +
                           square(scales.bias) * epoch.bias_variance;
-  return weigh(residual.innovation + belief.mean(b), variance, satellite.delay, residual.prior)
-             .log_likelihood *
-         std::min(1.0, epoch.information / errors.evidence_time);
+  return satellite.share *
+         weigh(residual.innovation + belief.mean(b), variance, satellite.delay, residual.prior)
+             .log_likelihood;
 }
 
 double PseudorangeKalmanFilter::update_range(const SlottedObservation& satellite, const SlottedEpoch& epoch,
@@ -184,7 +182,7 @@ double PseudorangeKalmanFilter::update_range(const SlottedObservation& satellite
   const double variance = square(scales.range * satellite.sigma);
   const MixtureWeight weight = weigh(innovation, HPHt + variance, satellite.delay, prior);
   evidence.ranges += weight.log_likelihood;
-  evidence.place += evidence_of_place(satellite, epoch, errors, {innovation, HPHt, PHt, prior});
+  evidence.place += evidence_of_place(satellite, epoch, {innovation, HPHt, PHt, prior});
   const double log_odds = std::log(prior / (1.0 - prior)) +
                           weight.log_ratio * std::min(1.0, epoch.information / errors.mode_time);
   mode = std::clamp(1.0 / (1.0 + std::exp(-log_odds)), kLeastMode, 1.0 - kLeastMode);

@@ -33,6 +33,7 @@ struct SlottedObservation {
   double prior = 0.5;    ///< of LOS
   double delay = 40.0;   ///< mean of NLOS [m]
   double sigma = 2.0;    ///< of the range in LOS [m]
+  double share = 1.0;    ///< of one count, that it is worth as evidence for the place
 };
 
 /// 1 sigma of a range in line of sight [m] by its C/N0 against the receiver's usual one: a code loop's noise
@@ -98,7 +99,7 @@ struct PseudorangeKalmanFilter {
   double update_range(const SlottedObservation& satellite, const SlottedEpoch& epoch,
                       const RangeErrorParameters& errors, EpochEvidence& evidence);
   [[nodiscard]] double evidence_of_place(const SlottedObservation& satellite, const SlottedEpoch& epoch,
-                                         const RangeErrorParameters& errors, const Residual& residual) const;
+                                         const Residual& residual) const;
   /// Gives the log likelihood of the range rate.
   double update_rate(const SlottedObservation& satellite, const SlottedEpoch& epoch,
                      const RangeErrorParameters& errors, double line_of_sight);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimators/pseudorange_mixture/evidence.hpp"
 #include "estimators/pseudorange_mixture/hypothesis_bank.hpp"
 #include "multipath_localization/core/epoch_check.hpp"
 #include "multipath_localization/core/fix_check.hpp"
@@ -35,6 +36,24 @@ std::vector<SlotOwner> owners_of(const std::vector<SatelliteObservation>& observ
     owners.push_back({observation.constellation, observation.satellite});
   }
   return owners;
+}
+
+/// A satellite with its slots; nothing when there was no room for it.
+std::optional<SlottedObservation> slotted_observation(const SatelliteObservation& observation,
+                                                      const SatelliteSlots& slots,
+                                                      const RangeErrorParameters& errors) {
+  SlottedObservation satellite;
+  const auto bias = slots.find({observation.constellation, observation.satellite});
+  const auto offset = slots.find({observation.constellation, std::nullopt});
+  const bool with_offset = has_offset(observation.constellation);
+  if (!bias || (with_offset && !offset)) return std::nullopt;
+  satellite.observation = observation;
+  satellite.prior = line_of_sight_prior(observation, errors.mixture);
+  satellite.sigma = line_of_sight_sigma(observation, errors);
+  satellite.delay = mean_nlos_delay(observation.elevation, errors.mixture);
+  if (with_offset) satellite.offset_slot = *offset;
+  satellite.bias_slot = *bias;
+  return satellite;
 }
 
 /// Increments made of the range rates tell an epoch no motion beside them.
@@ -130,20 +149,18 @@ SlottedEpoch PseudorangeMixtureFilter::slotted(const PseudorangeEpoch& epoch) {
   for (SatelliteObservation& observation : observations) observation.cn0 -= signal_.strong();
   result.has_rates = std::any_of(observations.begin(), observations.end(),
                                  [](const auto& observation) { return observation.has_doppler(); });
-  bank_.follow(slots_.admit(owners_of(observations), last_.stamp));
+  std::vector<double> shares;
   for (const SatelliteObservation& observation : observations) {
-    const auto bias = slots_.find({observation.constellation, observation.satellite});
-    const auto offset = slots_.find({observation.constellation, std::nullopt});
-    const bool with_offset = has_offset(observation.constellation);
-    if (!bias || (with_offset && !offset)) continue;
-    SlottedObservation satellite;
-    satellite.observation = observation;
-    satellite.prior = line_of_sight_prior(observation, parameters_.errors.mixture);
-    satellite.sigma = line_of_sight_sigma(observation, parameters_.errors);
-    satellite.delay = mean_nlos_delay(observation.elevation, parameters_.errors.mixture);
-    if (with_offset) satellite.offset_slot = *offset;
-    satellite.bias_slot = *bias;
-    result.satellites.push_back(satellite);
+    const double unseen =
+        has_clock_ ? slots_.unseen({observation.constellation, observation.satellite}, last_epoch_) : 0.0;
+    shares.push_back(evidence_share(result.information, unseen, parameters_.errors.evidence_time));
+  }
+  bank_.follow(slots_.admit(owners_of(observations), last_.stamp));
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    auto satellite = slotted_observation(observations[i], slots_, parameters_.errors);
+    if (!satellite) continue;
+    satellite->share = shares[i];
+    result.satellites.push_back(*satellite);
   }
   // The surest first: the others are then judged against what these say.
   std::stable_sort(result.satellites.begin(), result.satellites.end(),
@@ -176,14 +193,17 @@ PoseEstimate PseudorangeMixtureFilter::estimate() const {
     belief.mean.head<2>() = place.mean.head<2>();
     belief.covariance.topLeftCorner<3, 3>() = place.covariance.topLeftCorner<3, 3>();
   }
-  const Eigen::Matrix2d floor = square(parameters_.position_sigma_floor) * Eigen::Matrix2d::Identity();
+  const double factor = square(parameters_.sigma_factor);
+  const Eigen::Matrix2d common =
+      (square(parameters_.position_sigma_floor) + square(parameters_.uncorrected_sigma)) *
+      Eigen::Matrix2d::Identity();
   result.valid = true;
   result.aligned = alignment_.aligned();
   result.pose = belief.pose();
-  result.covariance = belief.covariance.topLeftCorner<3, 3>();
-  result.covariance.topLeftCorner<2, 2>() += floor;
+  result.covariance = factor * belief.covariance.topLeftCorner<3, 3>();
+  result.covariance.topLeftCorner<2, 2>() += common;
   result.dominance = bank_.cluster().mass;
-  result.position_covariance_overall = bank_.place().overall_position_covariance + floor;
+  result.position_covariance_overall = factor * bank_.place().overall_position_covariance + common;
   result.shadow_probability = bank_.cluster().shadow;
   double squares = 0.0;
   for (const double weight : weights_of(bank_.hypotheses())) squares += square(weight);

@@ -30,6 +30,8 @@ struct PseudorangeMixtureFilterParameters {
   double align_distance = 20.0;
   double least_agreement = 0.4;
   double slot_time = 300.0;
+  double sigma_factor = 1.5;
+  double uncorrected_sigma = 1.5;
   double position_sigma_floor = 0.3;
   OdometryNoise odometry;
   ReceiverStateNoise receiver;

@@ -39,6 +39,11 @@ void PseudorangeMixtureFilterParameters::fields(ParameterVisitor& field) {
         "satellites found in line of sight over those that C/N0 and elevation promise: below it the place is "
         "in doubt and the filter not aligned");
   field("slot_time", slot_time, {1.0, 1e5}, "s", "a satellite unseen for this long is forgotten");
+  field("sigma_factor", sigma_factor, {1.0, 10.0}, "1",
+        "published standard deviations of the pose in those of the hypotheses: no model of errors is exact");
+  field("uncorrected_sigma", uncorrected_sigma, {0.0, 100.0}, "m",
+        "1 sigma of what all pseudoranges of a drive may shift the position by alike: ionosphere and orbits, "
+        "which nothing on the robot sees; added to the published position");
   field("position_sigma_floor", position_sigma_floor, {0.001, 100.0}, "m", "added to the published position");
   field.group("odometry", odometry, "trust in the wheel odometry");
   field.group("receiver", receiver, "what changes slowly about receiver and satellites");

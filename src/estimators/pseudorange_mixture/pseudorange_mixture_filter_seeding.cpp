@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimators/pseudorange_mixture/evidence.hpp"
 #include "estimators/pseudorange_mixture/pseudorange_mixture_filter.hpp"
 #include "multipath_localization/models/motion/odometry_motion.hpp"
 #include "support/numbers.hpp"
@@ -17,8 +18,16 @@ constexpr double kSeedSigma = 5.0;               // [m]
 constexpr double kSeedLogScale = 3.0;            // tempers the choice of seeds: errors of one epoch mislead
 constexpr double kAnyYaw = 1.8;                  // of any heading [rad]
 constexpr double kAnySpeed = 10.0;               // of a robot without wheels [m/s]
+constexpr double kNewView = 2.0;                 // satellites come into view: the sky is another one
 constexpr int kReseedPart = 4;                   // of the hypotheses at the start
 constexpr int kWatchPart = 8;                    // likewise, when aligned
+
+/// Whether satellites have come into view that tell wrong places from right ones.
+bool is_new_view(const SlottedEpoch& epoch) {
+  double sum = 0.0;
+  for (const SlottedObservation& satellite : epoch.satellites) sum += satellite.share;
+  return sum > kNewView;
+}
 
 }  // namespace
 
@@ -84,12 +93,19 @@ bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double
   if (seeds.empty()) return false;
   // Headings by the golden ratio: evenly over the circle for each stretch of the seeds.
   double turn = random.uniform();
+  const bool known = has_clock_ && !alignment_.in_doubt();
+  const double sigma = std::sqrt(bank_.place().overall_position_covariance.trace());
+  const double delay = parameters_.errors.mixture.nlos_delay;
   std::vector<PseudorangeHypothesis> newcomers;
   for (const PseudorangeSeed& seed : seeds) {
     const bool keeps_heading = alignment_.aligned() && newcomers.size() % 2 == 1;
     const double yaw = keeps_heading ? bank_.cluster().belief.mean(kYaw) : kPi * (2.0 * turn - 1.0);
     newcomers.push_back(hypothesis_at(seed, yaw, epoch.antenna_in_base));
     newcomers.back().log_weight = std::log(probability / static_cast<double>(count));
+    if (known) {
+      const double distance = (seed.position.head<2>() - bank_.place().belief.mean.head<2>()).norm();
+      newcomers.back().log_weight += log_probability_of_place(distance, sigma, delay);
+    }
     turn = std::fmod(turn + kGoldenRatio, 1.0);
   }
   if (!has_clock_) bank_.clear();
@@ -102,8 +118,8 @@ bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double
 void PseudorangeMixtureFilter::reseed(const SlottedEpoch& epoch) {
   const bool aligned = alignment_.aligned();
   const double interval = aligned ? parameters_.watch_interval : parameters_.reseed_interval;
-  const bool of_use = moved_ > 0.0 || alignment_.in_doubt();
-  if (!of_use || last_.stamp - last_seeding_ <= interval) return;
+  const bool of_use = aligned || moved_ > 0.0 || alignment_.in_doubt();
+  if (!is_new_view(epoch) && (!of_use || last_.stamp - last_seeding_ <= interval)) return;
   seed(epoch, std::max(1, parameters_.hypotheses / (aligned ? kWatchPart : kReseedPart)),
        reseed_probability());
 }

@@ -1,5 +1,8 @@
 #include "estimators/pseudorange_mixture/satellite_slots.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace multipath_localization {
 
 std::optional<int> SatelliteSlots::find(const SlotOwner& owner) const {
@@ -7,6 +10,12 @@ std::optional<int> SatelliteSlots::find(const SlotOwner& owner) const {
     if (this->owner(slot) == owner) return slot;
   }
   return std::nullopt;
+}
+
+double SatelliteSlots::unseen(const SlotOwner& owner, double stamp) const {
+  const std::optional<int> slot = find(owner);
+  if (!slot) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, stamp - slots_[static_cast<std::size_t>(*slot)].last_seen);
 }
 
 std::vector<SatelliteSlots::Change> SatelliteSlots::admit(const std::vector<SlotOwner>& seen, double now) {

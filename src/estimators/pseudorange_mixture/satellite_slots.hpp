@@ -39,6 +39,10 @@ class SatelliteSlots {
   /// The slot of an owner, if it has one. Good until the next change.
   [[nodiscard]] std::optional<int> find(const SlotOwner& owner) const;
 
+  /// For how long [s] nothing had been seen of an owner at `stamp`; 0 when it was then, infinite when it has
+  /// no slot.
+  [[nodiscard]] double unseen(const SlotOwner& owner, double stamp) const;
+
   /// All of these are seen at `now` [s]: gives slots to those that have none, in order and as far as there is
   /// room. It is made by taking back those of the satellites unseen for longest, of none that is seen now.
   /// Gives the changes in their order.

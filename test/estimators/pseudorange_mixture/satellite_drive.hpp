@@ -33,6 +33,7 @@ class SatelliteDrive {
   std::vector<SatelliteObservation> sky = open_sky();
   std::vector<std::size_t> delayed;  ///< indices into the sky
   double delay = 45.0;               ///< [m]
+  std::vector<double> biases;        ///< that satellites of the sky keep, of all or none [m]
 
   OdometryIncrement drive() {
     time = kStep * ++steps_;
@@ -62,6 +63,7 @@ class SatelliteDrive {
       observation.range_rate =
           sight.dot(observation.velocity) - sight.head<2>().dot(velocity) + drift + 0.1 * random.normal();
     }
+    for (std::size_t i = 0; i < biases.size(); ++i) epoch.observations[i].pseudorange += biases[i];
     for (const std::size_t i : delayed) {
       epoch.observations[i].pseudorange += delay;
       epoch.observations[i].cn0 = 38.0;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "estimators/pseudorange_mixture/pseudorange_mixture_filter.hpp"
 #include "started_mixture_filter.hpp"
@@ -59,6 +60,24 @@ TEST(PseudorangeMixtureFilter, NoticesThatItWasCarriedAndFindsBack) {
     EXPECT_LT(run.drive.error(run.filter), 3.0);
     EXPECT_LT(run.drive.heading_error(run.filter), 0.1);
     EXPECT_TRUE(run.filter.estimate().aligned);
+  }
+}
+
+TEST(PseudorangeMixtureFilter, SatellitesThatComeIntoViewCorrectAWrongPlaceAtRest) {
+  for (const std::uint64_t seed : {47U, 48U, 49U}) {
+    Started run(seed, PseudorangeMixtureFilterParameters());
+    run.drive.run(run.filter, 60.0);
+    // A wall hides what stands in the south and delays the rest.
+    const std::vector<SatelliteObservation> whole = run.drive.sky;
+    run.drive.sky = {whole[0], whole[1], whole[7], whole[8], whole[12]};
+    run.drive.delayed = {0, 1, 2, 3, 4};
+    run.drive.delay = 25.0;
+    run.drive.run(run.filter, 40.0);
+    run.drive.speed = 0.0;
+    run.drive.sky = whole;
+    run.drive.delayed.clear();
+    run.drive.run(run.filter, 15.0);
+    EXPECT_LT(run.drive.error(run.filter), 4.0);
   }
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "estimators/pseudorange_mixture/satellite_slots.hpp"
 
 namespace multipath_localization {
@@ -59,6 +61,15 @@ TEST(SatelliteSlots, RetireSatellitesUnseenAndNoOffset) {
   EXPECT_EQ(slots.size(), 2);
   EXPECT_TRUE(slots.find(kOffset) && slots.find(gps(2)));
   follower.expect_as(slots);
+}
+
+TEST(SatelliteSlots, TellForHowLongASatelliteWasUnseen) {
+  SatelliteSlots slots;
+  slots.admit({gps(1), gps(2)}, 3.0);
+  slots.admit({gps(2)}, 5.0);
+  EXPECT_DOUBLE_EQ(slots.unseen(gps(1), 5.0), 2.0);
+  EXPECT_DOUBLE_EQ(slots.unseen(gps(2), 5.0), 0.0);
+  EXPECT_TRUE(std::isinf(slots.unseen(gps(3), 5.0)));
 }
 
 TEST(SatelliteSlots, WhereThereIsNoRoomThoseUnseenForLongestGo) {
