@@ -70,6 +70,15 @@ TEST(NoiseFit, TellsTheDelayOfTheStamps) {
   }
 }
 
+TEST(NoiseFit, TellsNoDelayByOdometryThatLeaps) {
+  Drive drive = NoisyDrive{{0.006, 0.003, 0.2, 0.3, 20.0}, 150.0}.record(1);
+  ASSERT_TRUE(fit_noise(drive.odometry, drive.fixes()).delay.low_told);
+  for (std::size_t i = 500; i < drive.odometry.size(); i += 500) {
+    drive.odometry[i].speed += 0.4 / drive.odometry[i].duration;  // an encoder that makes up 0.4 m of ticks
+  }
+  EXPECT_FALSE(fit_noise(drive.odometry, drive.fixes()).delay.low_told);
+}
+
 TEST(NoiseFit, LoneOutliersCountForLittle) {
   Drive drive = NoisyDrive{{0.02, 0.01, 0.2, 0.3, 20.0}, 200.0}.record(1);
   std::vector<GnssFix> fixes = drive.fixes();

@@ -27,18 +27,14 @@ Eigen::Vector2d perpendicular(const Eigen::Vector2d& v) { return {-v.y(), v.x()}
 }  // namespace
 
 void OdometrySum::restart(const OdometryErrors& errors) {
-  const Eigen::Vector2d velocity = last_velocity_;
-  const bool has_turned = has_turned_;
-  const MovingTime moving = moving_;
+  const Before before = before_;
   *this = OdometrySum(noise_);
   errors_ = errors;
-  last_velocity_ = velocity;
-  has_turned_ = has_turned;
-  moving_ = moving;
+  before_ = before;
 }
 
 void OdometrySum::rest(const OdometryIncrement& u) {
-  last_velocity_.setZero();
+  before_.velocity.setZero();
   if (!std::isfinite(u.rate_at_rest)) return;
   rest_time_ += u.duration;
   rest_turn_ += u.duration * u.rate_at_rest;
@@ -62,7 +58,7 @@ OdometryIncrement OdometrySum::corrected(OdometryIncrement u) const {
 
 void OdometrySum::add(const OdometryIncrement& u) {
   const double dt = u.duration;
-  const double moved = moving_.add(u);
+  const double moved = before_.moving.add(u);
   duration_ += dt;
   if (dt > kGap) {
     missing_time_ += dt;
@@ -76,7 +72,7 @@ void OdometrySum::add(const OdometryIncrement& u) {
   const OdometryIncrement corrected = this->corrected(u);
   const Pose2 step = multipath_localization::displacement(corrected);
   const Eigen::Vector2d way = rotation(turn_) * step.position();
-  has_turned_ = has_turned_ || u.yaw_rate != 0.0;
+  before_.turned = before_.turned || u.yaw_rate != 0.0;
 
   add_noise(u, moved, way, corrected.yaw_rate * dt);
   // The heading halfway through the step, by each of the errors that turn it.
@@ -93,7 +89,7 @@ void OdometrySum::add(const OdometryIncrement& u) {
   moving_time_ += moved;
   if (by_gyro) gyro_time_ += moved;
   length_ += way.norm();
-  last_velocity_ << u.speed, u.lateral_speed;
+  before_.velocity << u.speed, u.lateral_speed;
 }
 
 void OdometrySum::add_noise(const OdometryIncrement& u, double moved, const Eigen::Vector2d& way,
@@ -118,9 +114,9 @@ void OdometrySum::add_noise(const OdometryIncrement& u, double moved, const Eige
   } else {
     turn_noise_(2, 2) += square(noise_.yaw) * moved + of_turn;
   }
-  if (!has_turned_) untold_turns_(2, 2) += square(kUntoldTurn) * moved;
+  if (!before_.turned) untold_turns_(2, 2) += square(kUntoldTurn) * moved;
   // What happened between two samples is not known: speed and turn changed anywhere within the interval.
-  const double change = (Eigen::Vector2d(u.speed, u.lateral_speed) - last_velocity_).norm() * dt;
+  const double change = (Eigen::Vector2d(u.speed, u.lateral_speed) - before_.velocity).norm() * dt;
   const double bend = length * std::abs(turn);
   const double direction = turn_ + 0.5 * turn;
   const Eigen::Vector2d ahead(std::cos(direction), std::sin(direction));

@@ -73,6 +73,13 @@ class OdometrySum {
   [[nodiscard]] double length() const { return length_; }              ///< of the way [m]
 
  private:
+  /// What is known of the increments before, which no restart forgets.
+  struct Before {
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< in the base, of the last one [m/s]
+    bool turned = false;                                 ///< one has told of a turn
+    MovingTime moving;
+  };
+
   void rest(const OdometryIncrement& u);
   /// Without the errors of `restart`.
   [[nodiscard]] OdometryIncrement corrected(OdometryIncrement u) const;
@@ -90,15 +97,13 @@ class OdometrySum {
   Eigen::Matrix3d sampling_noise_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d untold_turns_ = Eigen::Matrix3d::Zero();
   double duration_ = 0.0;
-  MovingTime moving_;
   double moving_time_ = 0.0;
   double missing_time_ = 0.0;
   double gyro_time_ = 0.0;  ///< of the moving time, with turns by the gyro [s]
   double rest_time_ = 0.0;  ///< standing, watched by the gyro [s]
   double rest_turn_ = 0.0;  ///< that the gyro has seen in it [rad]
   double length_ = 0.0;
-  Eigen::Vector2d last_velocity_ = Eigen::Vector2d::Zero();  ///< in the base, of the last increment [m/s]
-  bool has_turned_ = false;                                  ///< an increment has told of a turn
+  Before before_;
 };
 
 }  // namespace multipath_localization::multipath

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "estimators/multipath/odometry_jump.hpp"
 #include "multipath_localization/localization/standstill.hpp"
 #include "multipath_localization/models/motion/odometry_motion.hpp"
 #include "support/numbers.hpp"
@@ -32,6 +33,7 @@ constexpr double kWidestAntenna = 0.5;    // likewise [m]
 constexpr double kApart = 0.02;           // one less the squared correlation of two that are told apart
 
 constexpr double kSpeedVaries = 0.1;  // about its mean, which parts the two
+constexpr double kTyresHold = 10.0;   // no wheeled robot changes its speed faster [m/s^2]
 
 constexpr std::size_t kNumbers = 5;
 
@@ -230,13 +232,21 @@ double speed_variation(const std::vector<OdometryIncrement>& odometry, double fr
   return squares * time > way * way ? std::sqrt(squares * time / (way * way) - 1.0) : 0.0;
 }
 
+/// Whether odometry leaps by what no robot drives, as encoders do that lose or make up ticks.
+bool leaps(const std::vector<OdometryIncrement>& odometry) {
+  OdometryJump jump({kTyresHold, std::numeric_limits<double>::infinity(), 0.0}, {});
+  for (const OdometryIncrement& u : odometry) jump.add(u);
+  return jump.take().speed;
+}
+
 void fit_delay(const std::vector<OdometryIncrement>& odometry, const std::vector<GnssFix>& fixes,
                const SensorNoise& noise, NoiseFit& fit) {
   const DelayAndAntenna likelihood(odometry, fixes, noise);
   const DelayAndAntenna::Point top = likelihood.likeliest();
   const bool apart = speed_variation(odometry, fixes.front().stamp, fixes.back().stamp) > kSpeedVaries;
   const double speed = fit.way / fit.moving_time;
-  auto covariance = apart ? likelihood.covariance(top) : std::nullopt;
+  // A leap ahead in the odometry looks like fixes that come late.
+  auto covariance = apart && !leaps(odometry) ? likelihood.covariance(top) : std::nullopt;
   // The curvature at the top may promise what the likelihood does not keep: an antenna elsewhere explains it.
   const DelayAndAntenna::Point undelayed(0.0, top.y() - top.x() * speed);
   const bool clear = likelihood(top) - likelihood(undelayed) > kClearlyWorse;

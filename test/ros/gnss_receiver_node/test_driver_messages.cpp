@@ -195,7 +195,7 @@ TEST(GnssComm, OrbitsOfGlonassAreWhatRinexPrintsOfThem) {
   for (const std::uint32_t whole : {35U, 0U, 0U}) ubx::put(bytes, whole);
   ubx::put(bytes, 2.0);
   for (const Eigen::Vector3d& vector : {printed.position, printed.velocity, printed.acceleration}) {
-    for (const double component : vector) ubx::put(bytes, component);
+    for (Eigen::Index i = 0; i < vector.size(); ++i) ubx::put(bytes, vector[i]);
   }
   for (const double value : {-printed.clock, printed.clock_drift, 0.0}) ubx::put(bytes, value);
   const auto ephemeris = gnss_comm_ephemeris(message(bytes, kGlonassOrbit));
