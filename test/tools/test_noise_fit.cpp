@@ -76,7 +76,9 @@ TEST(NoiseFit, TellsNoDelayByOdometryThatLeaps) {
   for (std::size_t i = 500; i < drive.odometry.size(); i += 500) {
     drive.odometry[i].speed += 0.4 / drive.odometry[i].duration;  // an encoder that makes up 0.4 m of ticks
   }
-  EXPECT_FALSE(fit_noise(drive.odometry, drive.fixes()).delay.low_told);
+  const NoiseFit leaping = fit_noise(drive.odometry, drive.fixes());
+  EXPECT_TRUE(leaping.odometry_leaps);
+  EXPECT_FALSE(leaping.delay.low_told);
 }
 
 TEST(NoiseFit, LoneOutliersCountForLittle) {

@@ -245,8 +245,9 @@ void fit_delay(const std::vector<OdometryIncrement>& odometry, const std::vector
   const DelayAndAntenna::Point top = likelihood.likeliest();
   const bool apart = speed_variation(odometry, fixes.front().stamp, fixes.back().stamp) > kSpeedVaries;
   const double speed = fit.way / fit.moving_time;
+  fit.odometry_leaps = leaps(odometry);
   // A leap ahead in the odometry looks like fixes that come late.
-  auto covariance = apart && !leaps(odometry) ? likelihood.covariance(top) : std::nullopt;
+  auto covariance = apart && !fit.odometry_leaps ? likelihood.covariance(top) : std::nullopt;
   // The curvature at the top may promise what the likelihood does not keep: an antenna elsewhere explains it.
   const DelayAndAntenna::Point undelayed(0.0, top.y() - top.x() * speed);
   const bool clear = likelihood(top) - likelihood(undelayed) > kClearlyWorse;

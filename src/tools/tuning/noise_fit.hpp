@@ -31,8 +31,9 @@ struct NoiseFit {
   /// Of the fixes' stamps behind the odometry's [s]; told where speeds differ enough to part it from
   /// `antenna_ahead`, of which one second is worth a second's way.
   Told delay;
-  Told antenna_ahead;  ///< how much further ahead the antenna is than told [m]; told likewise
-  Told behind;         ///< how far fixes are behind, by whichever of the two, at the mean speed [m]
+  Told antenna_ahead;           ///< how much further ahead the antenna is than told [m]; told likewise
+  Told behind;                  ///< how far fixes are behind, by whichever of the two, at the mean speed [m]
+  bool odometry_leaps = false;  ///< by what no robot drives, so that it tells neither
   FittedConstant scale;
   FittedConstant gyro_bias;
   std::size_t fixes = 0;

@@ -78,6 +78,9 @@ bool may_be_none(const Told& number) { return number.low <= 0.0 && number.high >
 /// What delay and antenna look like together, where they are not told apart: at this speed.
 std::string together_lines(const NoiseFit& fit) {
   const Told& behind = fit.behind;
+  if (fit.odometry_leaps)
+    return "# delay, antenna: not told by this bag: its odometry leaps by what no robot drives, look at it "
+           "with doctor\n";
   if (!behind.low_told)
     return "# delay, antenna: not told by this bag: drive a figure of eight at several speeds\n";
   const double speed = fit.way / fit.moving_time;
