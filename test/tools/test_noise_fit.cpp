@@ -71,8 +71,13 @@ TEST(NoiseFit, TellsTheDelayOfTheStamps) {
 }
 
 TEST(NoiseFit, TellsNoDelayByOdometryThatLeaps) {
-  Drive drive = NoisyDrive{{0.006, 0.003, 0.2, 0.3, 20.0}, 150.0}.record(1);
-  ASSERT_TRUE(fit_noise(drive.odometry, drive.fixes()).delay.low_told);
+  NoisyDrive robot{{0.006, 0.003, 0.2, 0.3, 20.0}};
+  robot.duration = 150.0;
+  robot.delay = 0.3;
+  Drive drive = robot.record(1);
+  const NoiseFit steady = fit_noise(drive.odometry, drive.fixes());
+  EXPECT_FALSE(steady.odometry_leaps);
+  EXPECT_TRUE(steady.delay.low_told);
   for (std::size_t i = 500; i < drive.odometry.size(); i += 500) {
     drive.odometry[i].speed += 0.4 / drive.odometry[i].duration;  // an encoder that makes up 0.4 m of ticks
   }
