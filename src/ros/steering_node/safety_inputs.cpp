@@ -13,7 +13,8 @@ SafetyInputs::SafetyInputs(ros::NodeHandle node, const SteeringNodeParameters& p
   stop_in_ = node.subscribe<std_msgs::Bool>(
       "emergency_stop", 10, [this](const std_msgs::BoolConstPtr& message) { take_stop(message->data != 0); });
   if (!parameters_.stop_before_obstacles) return;
-  tf_.emplace(frames_.emplace());
+  frames_ = std::make_unique<tf2_ros::Buffer>();
+  tf_ = std::make_unique<tf2_ros::TransformListener>(*frames_);
   scan_in_ = node.subscribe<sensor_msgs::LaserScan>(
       "scan", 1, [this](const sensor_msgs::LaserScanConstPtr& message) { take_scan(*message); });
 }

@@ -6,7 +6,7 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,8 +39,8 @@ class SafetyInputs {
   ros::SteadyTime stop_arrived_;  ///< zero: never
   ScanPoints scan_;
   Arrival scan_arrival_;
-  std::optional<tf2_ros::Buffer> frames_;
-  std::optional<tf2_ros::TransformListener> tf_;
+  std::unique_ptr<tf2_ros::Buffer> frames_;
+  std::unique_ptr<tf2_ros::TransformListener> tf_;
   ros::Subscriber stop_in_, scan_in_;
 };
 
