@@ -99,11 +99,8 @@ TEST(MultipathParticleFilter, KeepsUpWithARobotWhoseEncoderTellsOfOneTickAtATime
       way += u.speed * u.duration;
       const double told = way >= kTick ? kTick : 0.0;
       way -= told;
+      u.yaw_rate *= told / (u.speed * u.duration);
       u.speed = told / u.duration;
-      if (told == 0.0)
-        u.yaw_rate = 0.0;
-      else
-        u.yaw_rate *= kTick / (robot.speed * u.duration);
       return u;
     };
     Localizer localizer = default_localizer(seed);
