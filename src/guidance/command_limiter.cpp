@@ -32,6 +32,12 @@ void CommandLimits::fields(ParameterVisitor& field) {
   field("max_yaw_acceleration", max_yaw_acceleration, {1e-3, 1e6}, "rad/s^2", "differential: of commands");
 }
 
+CommandLimiter::CommandLimiter(const CommandLimits& limits, double wheelbase, const MotionCommand& last)
+    : limits_(limits),
+      wheelbase_(wheelbase),
+      last_(last),
+      yaw_rate_(multipath_localization::yaw_rate(last, wheelbase)) {}
+
 MotionCommand CommandLimiter::limited(const MotionCommand& wanted, bool urgent, double duration,
                                       double spin) {
   const double dt = duration > 0.0 ? std::min(duration, kLongestStep) : 0.0;

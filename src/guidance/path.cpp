@@ -67,6 +67,12 @@ Path::Path(const std::vector<Eigen::Vector2d>& vertices, double corner_radius) {
   find_stations(vertices, bends);
 }
 
+Path::Path(const Pose2& start, const std::vector<PathArc>& arcs) {
+  pieces_.push_back({0.0, 0.0, start.position(), start.yaw, 0.0});
+  for (const PathArc& arc : arcs) add_piece(arc.length, arc.curvature);
+  stations_ = {0.0, length()};
+}
+
 void Path::add_corner(const Eigen::Vector2d& from, const Eigen::Vector2d& corner, const Eigen::Vector2d& to,
                       double corner_radius) {
   const Eigen::Vector2d start = pieces_.back().at(pieces_.back().length).position;

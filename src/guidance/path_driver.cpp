@@ -85,15 +85,21 @@ std::vector<Pose2> PathDriver::way_ahead(const Pose2& pose, double speed, double
   return way;
 }
 
+double PathDriver::settling_length(double speed) const {
+  const double radius = 1.0 / parameters_.tightest_curvature();
+  return std::max({kSettlingTime * speed, kSettlingRadii * radius, kShortestSettling});
+}
+
 double PathDriver::curvature(const Pose2& pose, double speed, double station) const {
-  const double tightest = parameters_.tightest_curvature();
-  const double settling = std::max({kSettlingTime * speed, kSettlingRadii / tightest, kShortestSettling});
   const Path& path = progress_.path();
   // The mean over the way that full lock takes asks for no faster steering than there is.
   const double middle = station + speed * parameters_.steering_lag;
   const double half = 0.5 * std::max(speed * parameters_.time_to_lock(), kShortestMean);
-  const double ahead = path.mean_curvature(middle - half, middle + half);
-  return tracking_curvature(pose, path.at(station), ahead, settling, tightest);
+  // A bend that has been passed, the base far outside of it, is not to be driven any more.
+  const double from = std::max(middle - half, std::min(progress_.earliest(), middle));
+  const double ahead = path.mean_curvature(from, middle + half);
+  return tracking_curvature(pose, path.at(station), ahead, settling_length(speed),
+                            parameters_.tightest_curvature());
 }
 
 }  // namespace multipath_localization

@@ -24,10 +24,19 @@ PathProgress::PathProgress(std::vector<Eigen::Vector2d> vertices, std::size_t fi
       station_(path_.nearest(position, path_.station(next_ - 1) - rule.radius, path_.station(next_))),
       position_(position) {}
 
+PathProgress::PathProgress(Path path, const PassingRule& rule)
+    : vertices_({path.at(0.0).position, path.at(path.length()).position}),
+      next_(1),
+      rule_(rule),
+      path_(std::move(path)),
+      station_(0.0),
+      winds_(true),
+      position_(vertices_.front()) {}
+
 bool PathProgress::passes(const Pose2& pose) {
   if (done()) return false;
   follow(pose.position());
-  if (rule_.at_end && left() == 1) return arrived(pose);
+  if (comes_to_rest()) return arrived(pose);
   const Eigen::Vector2d beyond = pose.position() - vertices_[next_];
   const bool further = station_ > path_.station(next_) && deviation(pose.position()) <= rule_.radius;
   return beyond.norm() <= rule_.radius || further || crossed(beyond);
@@ -78,6 +87,7 @@ bool PathProgress::crossed(const Eigen::Vector2d& beyond) const {
 }
 
 bool PathProgress::arrived(const Pose2& pose) const {
+  if (winds_) return station_ >= path_.length() - kArrived;
   const Eigen::Vector2d ahead = vertices_[next_] - pose.position();
   const double in_reach = ahead.dot(Eigen::Vector2d(std::cos(pose.yaw), std::sin(pose.yaw)));
   if (ahead.norm() <= kArrived) return true;

@@ -18,7 +18,8 @@ double tracking_curvature(const Pose2& pose, const PathPoint& foot, double curva
   const Eigen::Vector2d left(-std::sin(foot.heading), std::cos(foot.heading));
   const double e = left.dot(pose.position() - foot.position);
   const double approach = std::clamp(0.5 * e / settling_length, -kApproach, kApproach);
-  const double curvature = curvature_ahead - 2.0 * (std::sin(psi) + approach) / settling_length;
+  const double bend = std::abs(approach) < kApproach ? curvature_ahead : 0.0;
+  const double curvature = bend - 2.0 * (std::sin(psi) + approach) / settling_length;
   return std::clamp(curvature, -tightest_curvature, tightest_curvature);
 }
 

@@ -13,6 +13,7 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kJustNow = 3.0;  // a planner takes no longer for a route [s]
+constexpr double kBeside = 0.1;   // of the last waypoint: worth a word [m]
 constexpr double kFacing = 0.05;  // the final heading: the rest is braked away [rad]
 
 double direction_of(const Eigen::Vector2d& v) { return std::atan2(v.y(), v.x()); }
@@ -42,7 +43,11 @@ double loop_extent(const WaypointFollowerParameters& p) {
   return 2.0 * (1.0 / p.tightest_curvature() + p.switch_radius);
 }
 
-FollowerOutput finished_by(const WaypointFollowerParameters& p, const Route& route) {
+/// `missed_by`: how far from the last waypoint [m].
+FollowerOutput finished_by(const WaypointFollowerParameters& p, const Route& route, double missed_by) {
+  if (missed_by > kBeside && p.law != "nishida") {
+    return {{}, "finished " + fixed_text(missed_by, 1) + " m from the last waypoint: too near to turn to"};
+  }
   if (!p.loop || route.tasks().once) return {{}, "finished"};
   return {
       {},
@@ -135,7 +140,8 @@ void WaypointFollower::heed(Trust state) {
 FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Trust state, double sigma,
                                          double now) {
   heed(state);
-  if (finished()) return finished_by(parameters_, route_);
+  const auto end = [&] { return finished_by(parameters_, route_, driver_ ? driver_->missed_by() : 0.0); };
+  if (finished()) return end();
   if (route_.empty()) return {{}, "stopped: no waypoints"};
   const KnownPose known{pose, pose_age, state, sigma};
   const Pace pace = caution_.pace(known);
@@ -147,7 +153,7 @@ FollowerOutput WaypointFollower::command(const Pose2& pose, double pose_age, Tru
   if (!turning_) pass_waypoints(pose);
   if (turning_) return turn(pose);
   if (stopover_.lasts(now)) return {{}, stopover_.status()};
-  return finished() ? finished_by(parameters_, route_) : steer(pose, pace);
+  return finished() ? end() : steer(pose, pace);
 }
 
 void WaypointFollower::lay_path(std::vector<Eigen::Vector2d> behind, const Eigen::Vector2d& position) {
@@ -175,7 +181,7 @@ void WaypointFollower::lay_path_anew() {
   if (finished() || route_.empty()) {
     driver_.reset();
   } else {
-    lay_path(driver_->progress().behind(), driver_->progress().position());
+    lay_path(driver()->progress().behind(), driver()->progress().position());
   }
 }
 
@@ -190,7 +196,7 @@ void WaypointFollower::pass_waypoints(const Pose2& pose) {
     route_.pass();
     driver_->pass_next();
     if (stops) return lay_path({pose.position()}, pose.position());
-    if (loops() && driver_->progress().left() <= count) lay_path_anew();
+    if (loops() && driver()->progress().left() <= count) lay_path_anew();
   }
 }
 
@@ -200,7 +206,7 @@ FollowerOutput WaypointFollower::turn(const Pose2& pose) {
     return {{}, "turning to the heading at the goal", false, spin_towards(left, parameters_.limits)};
   }
   skip();
-  return finished_by(parameters_, route_);
+  return finished_by(parameters_, route_, 0.0);
 }
 
 FollowerOutput WaypointFollower::steer(const Pose2& pose, const Pace& pace) {
@@ -210,7 +216,7 @@ FollowerOutput WaypointFollower::steer(const Pose2& pose, const Pace& pace) {
     const double angle = steer_to(route_.waypoint(0), pose, parameters_.k_phi);
     return {{speed, std::clamp(angle, -most, most)}, pace.status};
   }
-  const double deviation = driver_->progress().deviation(pose.position());
+  const double deviation = driver()->progress().deviation(pose.position());
   if (parameters_.max_deviation > 0.0 && deviation > parameters_.max_deviation) {
     return {{}, "stopped: " + fixed_text(deviation, 1) + " m off the path", true};
   }

@@ -158,8 +158,7 @@ TEST(PathDriver, AreKeptBetterThanByRegulatedPurePursuit) {
   });
 }
 
-/// From any heading, along waypoints anywhere, of which the last is far enough from the one before to come
-/// back onto the way to it after any corner.
+/// From any heading, along waypoints anywhere, of which the last may be within the turning circle.
 TEST(PathDriver, OfRandomRoutesKeepTheLimitsAndEndAtRestAtTheGoal) {
   std::mt19937 random(1);
   const auto uniform = [&](double low, double high) {
@@ -172,7 +171,9 @@ TEST(PathDriver, OfRandomRoutesKeepTheLimitsAndEndAtRestAtTheGoal) {
     Route route;
     const int waypoints = 1 + i % 7;
     for (int k = 0; k < waypoints; ++k) route.emplace_back(uniform(-30.0, 30.0), uniform(-30.0, 30.0));
-    route.emplace_back(route.back() + Eigen::Vector2d(uniform(10.0, 20.0), 0.0));
+    const double bearing = uniform(-kPi, kPi);
+    const Eigen::Vector2d last_leg(std::cos(bearing), std::sin(bearing));
+    route.emplace_back(route.back() + std::pow(10.0, uniform(-0.7, 1.3)) * last_leg);
     const Outcome outcome = drive(route, p, traits, {0.0, 0.0, uniform(-kPi, kPi)});
     EXPECT_TRUE(outcome.within_limits) << i;
     EXPECT_TRUE(outcome.at_rest) << i;

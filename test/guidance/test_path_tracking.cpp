@@ -42,6 +42,13 @@ TEST(PathTracking, ComesBackFromAfarWithoutOvershoot) {
   EXPECT_LT(std::abs(offsets(10.0).back()), 0.1);
 }
 
+/// A base far outside of a bend that was its way would drive round and round, or off for ever.
+TEST(PathTracking, DoesNotCountBendsFarOffThePath) {
+  const Pose2 far_right{0.0, -20.0, 0.3};
+  EXPECT_EQ(tracking_curvature(far_right, kEast, -3.0, 2.0, 10.0),
+            tracking_curvature(far_right, kEast, 0.0, 2.0, 10.0));
+}
+
 TEST(PathTracking, TurnsRoundWhenHeadingBackAndKeepsTheTightestCurvature) {
   EXPECT_EQ(tracking_curvature({0.0, 0.0, 3.0}, kEast, 0.0, 2.0, 0.7), -0.7);
   EXPECT_EQ(tracking_curvature({0.0, 0.0, -3.0}, kEast, 0.0, 2.0, 0.7), 0.7);

@@ -28,9 +28,10 @@ struct CommandLimits {
 /// steering angle of a differential base is that of a front wheel `wheelbase` ahead which turns as it does.
 class CommandLimiter {
  public:
-  CommandLimiter(const CommandLimits& limits, double wheelbase) : limits_(limits), wheelbase_(wheelbase) {}
+  /// `last` is the command the base has: rest, as a rule.
+  CommandLimiter(const CommandLimits& limits, double wheelbase, const MotionCommand& last = {});
 
-  /// The command `duration` [s] after the last one, the first being rest, on the way to the `wanted` one;
+  /// The command `duration` [s] after the last one, on the way to the `wanted` one;
   /// kLongestStep of a longer silence count. An urgent stop brakes by `emergency_deceleration`. A
   /// differential base at rest turns on the spot, at `spin` [rad/s].
   MotionCommand limited(const MotionCommand& wanted, bool urgent, double duration, double spin = 0.0);

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "multipath_localization/core/pose.hpp"
+
 namespace multipath_localization {
 
 /// A place on a path.
@@ -28,6 +30,12 @@ struct PathPiece {
   [[nodiscard]] double nearest(const Eigen::Vector2d& position, double from, double to) const;
 };
 
+/// How far a path goes on with one curvature.
+struct PathArc {
+  double length;     ///< [m]
+  double curvature;  ///< to the left; 0: straight [1/m]
+};
+
 /// Straight lines along vertices in map [m], and an arc at each corner: the largest that passes within
 /// `corner_radius` of the vertex and takes at most half of each leg. Vertices nearer than that to the one
 /// before, or to the last, bend nothing: the direction between such is that of their errors. Where the path
@@ -36,6 +44,8 @@ class Path {
  public:
   /// At least one vertex; all finite.
   Path(const std::vector<Eigen::Vector2d>& vertices, double corner_radius);
+  /// From a pose in map along arcs. Its vertices are its two ends.
+  Path(const Pose2& start, const std::vector<PathArc>& arcs);
 
   [[nodiscard]] double length() const { return pieces_.back().end(); }
   [[nodiscard]] const std::vector<PathPiece>& pieces() const { return pieces_; }

@@ -38,6 +38,11 @@ class PathDriver {
 
   [[nodiscard]] const PathProgress& progress() const { return progress_; }
   [[nodiscard]] const SpeedProfile& speed() const { return speed_; }
+  [[nodiscard]] bool reverse() const { return reverse_; }
+  /// How far along a line a base comes back onto it, for the most part, at `speed` [m/s].
+  [[nodiscard]] double settling_length(double speed) const;
+  /// The pose of the end that leads: the rear in reverse.
+  [[nodiscard]] Pose2 leading(const Pose2& pose) const;
 
   /// For a base at `pose`, whose progress on the path is known, at `most` [m/s].
   PathCommand command(const Pose2& pose, double most);
@@ -49,8 +54,6 @@ class PathDriver {
   static constexpr double kWayStep = 0.1;  ///< [m]
 
  private:
-  /// The pose of the end that leads: the rear in reverse.
-  [[nodiscard]] Pose2 leading(const Pose2& pose) const;
   /// The spin that faces a differential base along its path where it looks far aside; 0 where it may drive.
   double spin_to_path(const Pose2& pose);
   [[nodiscard]] double speed_at(const Pose2& pose) const;

@@ -30,6 +30,9 @@ class PathProgress {
   /// at `position`.
   PathProgress(std::vector<Eigen::Vector2d> vertices, std::size_t first, const PassingRule& rule,
                const Eigen::Vector2d& position);
+  /// A path from where the base is, whose end is the only waypoint: passed where the path ends, however near
+  /// it comes by before.
+  PathProgress(Path path, const PassingRule& rule);
 
   /// Follows the base to where it is now; whether it passes the next waypoint there.
   bool passes(const Pose2& pose);
@@ -38,10 +41,15 @@ class PathProgress {
   [[nodiscard]] const Path& path() const { return path_; }
   [[nodiscard]] double station() const { return station_; }  ///< of the base, along the path [m]
   [[nodiscard]] std::size_t left() const { return vertices_.size() - next_; }  ///< vertices to be passed
+  [[nodiscard]] double earliest() const { return earliest_; }  ///< station it does not fall back behind [m]
   /// Where the path comes by the vertex `ahead` of the next [m].
   [[nodiscard]] double station_ahead(std::size_t ahead) const { return path_.station(next_ + ahead); }
   [[nodiscard]] const Eigen::Vector2d& position() const { return position_; }  ///< of the base, last
   [[nodiscard]] bool done() const { return left() == 0; }
+  /// Whether the next waypoint is one to stop at.
+  [[nodiscard]] bool comes_to_rest() const { return rule_.at_end && left() == 1; }
+  [[nodiscard]] const Eigen::Vector2d& end() const { return vertices_.back(); }  ///< the last waypoint
+  [[nodiscard]] const PassingRule& rule() const { return rule_; }
   /// How far the base is from the path, prolonged beyond its end [m].
   [[nodiscard]] double deviation(const Eigen::Vector2d& position) const;
   /// The last places before the next waypoint that bend the path: two, or one where there is but one.
@@ -58,6 +66,7 @@ class PathProgress {
   PassingRule rule_;
   Path path_;
   double station_;
+  bool winds_ = false;     ///< the path may come by its end before
   double earliest_ = 0.0;  ///< station that the base does not fall back behind: of a cusp [m]
   Eigen::Vector2d position_;
 };

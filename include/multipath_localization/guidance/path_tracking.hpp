@@ -12,8 +12,8 @@ namespace multipath_localization {
 ///
 /// of the offset e to the left and the heading error psi. Near the path, and in the way along it, both then
 /// decay by two equal real roots, 1 / L, so without overshoot; `settling_length` is L [m]. Far off the path,
-/// sat holds the angle at which it is approached. A base that heads back turns as tightly as
-/// `tightest_curvature` allows, whose limits the result keeps.
+/// sat holds the angle at which it is approached, and its bends do not count. A base that heads back turns as
+/// tightly as `tightest_curvature` allows, whose limits the result keeps.
 double tracking_curvature(const Pose2& pose, const PathPoint& foot, double curvature_ahead,
                           double settling_length, double tightest_curvature);
 

@@ -10,7 +10,7 @@
 #include "multipath_localization/core/pose.hpp"
 #include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/guidance/caution.hpp"
-#include "multipath_localization/guidance/path_driver.hpp"
+#include "multipath_localization/guidance/goal_driver.hpp"
 #include "multipath_localization/guidance/route.hpp"
 #include "multipath_localization/guidance/stopover.hpp"
 #include "multipath_localization/guidance/trail.hpp"
@@ -30,7 +30,7 @@ struct FollowerOutput {
 /// Steers a robot along waypoints in map, and stops where the pose cannot be driven by.
 ///
 /// The law `path_tracking` follows the Path through them, from where the robot is when it sets out, and comes
-/// to rest at the last one: PathDriver. `nishida` steers straight for each, at one
+/// to rest at the last one: GoalDriver. `nishida` steers straight for each, at one
 /// speed, as [NIS] does, which circles round a target once missed. When a waypoint is passed: PathProgress.
 ///
 /// With `loop`, a route is driven round where one of its waypoints is farther from the first than what a
@@ -81,10 +81,10 @@ class WaypointFollower {
   [[nodiscard]] const std::vector<Eigen::Vector2d>& waypoints() const { return route_.waypoints(); }
   /// Where the robot is on its path. Null before it steers, and after a skip until it does.
   [[nodiscard]] const PathProgress* progress_on_path() const {
-    return driver_ ? &driver_->progress() : nullptr;
+    return driver_ ? &driver()->progress() : nullptr;
   }
   /// What drives along that path. Null likewise.
-  [[nodiscard]] const PathDriver* driver() const { return driver_ ? &*driver_ : nullptr; }
+  [[nodiscard]] const PathDriver* driver() const { return driver_ ? &driver_->on_path() : nullptr; }
 
  private:
   [[nodiscard]] bool loops() const { return parameters_.loop && !route_.tasks().once && can_loop(); }
@@ -98,7 +98,7 @@ class WaypointFollower {
   WaypointFollowerParameters parameters_;
   Route route_;
   Caution caution_;
-  std::optional<PathDriver> driver_;  ///< none: from where the robot is next
+  std::optional<GoalDriver> driver_;  ///< none: from where the robot is next
   Trail trail_;
   Stopover stopover_;
   bool turning_ = false;  ///< at the last waypoint, to the final heading
