@@ -15,6 +15,7 @@ enum SimulationStream : std::uint32_t {
   kDualReceiverStream,
   kGyroStream,
   kVelocityStream,
+  kLaserStream,
   kZoneStream = 0xF0001000U,       ///< plus the index of the zone
   kFaultZoneStream = 0xF0001800U,  ///< plus the index of the zone among the faults
   kConstellationStream = 0xF0002000U,

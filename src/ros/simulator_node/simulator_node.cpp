@@ -48,6 +48,7 @@ void SimulatorNodeParameters::fields(ParameterVisitor& field) {
   field("command_timeout", command_timeout, {0.0, 60.0}, "s",
         "without a command for this long the robot stops");
   frames.fields(field);
+  field.group("laser", laser, "a scanner of the buildings, all round, on `scan`");
 }
 
 SimulatorNode::SimulatorNode(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
@@ -62,6 +63,8 @@ SimulatorNode::SimulatorNode(const ros::NodeHandle& node, const ros::NodeHandle&
   advertise(outer, own);
   wall_start_ = ros::WallTime::now();
   origin_ = ros::Time(wall_start_.sec, wall_start_.nsec);
+  scan_.emplace(outer, parameters_.laser, parameters_.simulator.buildings,
+                static_cast<std::uint64_t>(parameters_.seed), parameters_.frames.base_link_frame);
   gnss_.emplace(outer, parameters_.simulator, parameters_.frames, origin_);
   markers_.publish(world_markers(parameters_.simulator, header(ros::Time(), parameters_.frames.map_frame)));
   const double period = std::max(simulator_.time_step() / parameters_.real_time_factor, 1e-3);
@@ -108,6 +111,7 @@ void SimulatorNode::step() {
     message.clock = stamp(simulator_.time());
     clock_.publish(message);
   }
+  scan_->step(simulator_.truth(), simulator_.time(), stamp(simulator_.time()));
   for (const YawRate& yaw_rate : readings.yaw_rates) {
     imu_.publish(to_message(yaw_rate, header(stamp(yaw_rate.stamp), parameters_.frames.base_link_frame)));
   }

@@ -9,6 +9,7 @@
 
 #include "multipath_localization/SteeringCommand.h"
 #include "ros/simulator_node/simulated_gnss.hpp"
+#include "ros/simulator_node/simulated_scan.hpp"
 #include "simulation/simulator.hpp"
 
 namespace multipath_localization {
@@ -21,6 +22,7 @@ struct SimulatorNodeParameters {
   bool publish_clock = false;
   double command_timeout = 0.5;
   RobotFrames frames;
+  LaserParameters laser;
 
   void fields(ParameterVisitor& field);
   /// Other than in real time, time itself is simulated.
@@ -48,6 +50,7 @@ class SimulatorNode {
   ros::WallTime wall_start_;
   ros::Time origin_;  ///< stamp of simulated time 0
   std::optional<SimulatedGnss> gnss_;
+  std::optional<SimulatedScan> scan_;
   MotionCommand command_;
   double command_time_ = 0.0;  ///< simulated, of its arrival
   Pose2 base_in_odom_;
