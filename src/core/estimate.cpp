@@ -37,6 +37,13 @@ std::string_view to_string(Reason reason) {
   return "unknown";
 }
 
+Eigen::Vector2d PoseEstimate::bias_of(std::size_t receiver) const {
+  for (const ReceiverEstimate& known : receivers) {
+    if (known.receiver == receiver) return known.bias;
+  }
+  return bias;
+}
+
 Eigen::Matrix3d covariance_overall(const PoseEstimate& estimate) {
   Eigen::Matrix3d covariance = symmetric<3>(estimate.covariance);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> wider;

@@ -14,8 +14,9 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kFastest = 1e3;     ///< that wheels say [m/s], [rad/s]
-constexpr double kMostTurned = 1e6;  ///< that a yaw says [rad]
+constexpr double kFastest = 1e3;       ///< that wheels say [m/s], [rad/s]
+constexpr double kMostTurned = 1e6;    ///< that a yaw says [rad]
+constexpr double kLongestArm = 100.0;  ///< of an antenna on a base [m]
 const std::vector<std::string> kFixColumns = {"t",         "lat_deg",   "lon_deg",
                                               "cov_ee_m2", "cov_en_m2", "cov_nn_m2"};
 
@@ -93,8 +94,17 @@ double arrival_of(const CsvTable& table, std::size_t row) {
   return table.number(row, table.has("t_arrival") ? "t_arrival" : "t", kLatestTime);
 }
 
-RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, const LocalFrame& map) {
+/// Lever arm, at the base where the file does not tell.
+Eigen::Vector2d antenna_of(const CsvTable& table, std::size_t row) {
+  if (!table.has("antenna_x_m")) return Eigen::Vector2d::Zero();
+  return {table.number(row, "antenna_x_m", kLongestArm), table.number(row, "antenna_y_m", kLongestArm)};
+}
+
+RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, std::size_t receiver,
+                             const LocalFrame& map) {
   GnssFix fix;
+  fix.receiver = receiver;
+  fix.antenna_in_base = antenna_of(table, row);
   fix.stamp = stamp_in_order(table, row);
   fix.position = map.to_map(point(table, row));
   const double east = table.number(row, "cov_ee_m2");
@@ -162,21 +172,35 @@ std::vector<TruthSample> read_truth(const std::string& file, const LocalFrame& m
 
 }  // namespace
 
+std::string fix_file_of(std::size_t receiver) {
+  return receiver == 0 ? "fix.csv" : "fix_" + std::to_string(receiver + 1) + ".csv";
+}
+
 double Drive::start() const {
   double first = odometry.front().stamp - odometry.front().duration;
   if (!truth.empty()) first = std::min(first, truth.front().stamp);
   return first;
 }
 
-std::vector<GnssFix> Drive::fixes() const {
+std::vector<GnssFix> Drive::fixes(std::size_t receiver) const {
   std::vector<GnssFix> all;
   for (const RecordedMeasurement& recorded : measurements) {
-    if (const auto* fix = std::get_if<GnssFix>(&recorded.measurement)) all.push_back(*fix);
-    if (const auto* two = std::get_if<DualAntennaFix>(&recorded.measurement)) {
-      all.insert(all.end(), {two->left, two->right});
-    }
+    const auto* fix = std::get_if<GnssFix>(&recorded.measurement);
+    if (fix != nullptr && fix->receiver == receiver) all.push_back(*fix);
+    const auto* two = std::get_if<DualAntennaFix>(&recorded.measurement);
+    if (two != nullptr && receiver == 0) all.insert(all.end(), {two->left, two->right});
   }
   return all;
+}
+
+std::size_t Drive::receivers() const {
+  std::size_t count = 0;
+  for (const RecordedMeasurement& recorded : measurements) {
+    if (const auto* fix = std::get_if<GnssFix>(&recorded.measurement)) {
+      count = std::max(count, fix->receiver + 1);
+    }
+  }
+  return count;
 }
 
 std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, double stamp) {
@@ -202,11 +226,34 @@ Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& 
 
 namespace {
 
-/// Says how many of the fixes were not used.
-void note_refused(const std::optional<CsvTable>& fixes, std::size_t used, std::vector<std::string>& notices) {
-  if (!fixes || used == fixes->rows()) return;
-  notices.push_back("fix.csv: " + std::to_string(fixes->rows() - used) +
-                    " rows refused: " + std::string(to_string(Reason::kNoFix)));
+/// The fixes of one receiver.
+struct FixFile {
+  FixFile(const std::filesystem::path& path, std::size_t number)
+      : name(path.filename().string()), receiver(number), table(path.string(), kFixColumns) {
+    rows = rows_of_fixes(table);
+    if (rows.empty()) throw DriveError(path.string() + ": no fix");
+  }
+
+  void read(const LocalFrame& map, Drive& drive) const {
+    for (const std::size_t row : rows) drive.measurements.push_back(read_fix(table, row, receiver, map));
+    if (rows.size() == table.rows()) return;
+    drive.notices.push_back(name + ": " + std::to_string(table.rows() - rows.size()) +
+                            " rows refused: " + std::string(to_string(Reason::kNoFix)));
+  }
+
+  std::string name;
+  std::size_t receiver;
+  CsvTable table;
+  std::vector<std::size_t> rows;  ///< those that are fixes
+};
+
+/// `fix.csv`, `fix_2.csv`, ... as far as they go on.
+std::vector<FixFile> fix_files(const std::filesystem::path& folder) {
+  std::vector<FixFile> files;
+  for (std::size_t receiver = 0; exists(folder / fix_file_of(receiver)); ++receiver) {
+    files.emplace_back(folder / fix_file_of(receiver), receiver);
+  }
+  return files;
 }
 
 }  // namespace
@@ -216,23 +263,17 @@ Drive read_drive(const std::string& directory) {
   Drive drive;
   drive.name = (folder / "").parent_path().filename().string();
 
-  std::optional<CsvTable> fixes;
-  std::vector<std::size_t> fix_rows;
+  const std::vector<FixFile> fixes = fix_files(folder);
   std::optional<PseudorangeFile> pseudoranges;
-  if (exists(folder / "fix.csv")) {
-    fixes.emplace(folder / "fix.csv", kFixColumns);
-    fix_rows = rows_of_fixes(*fixes);
-    if (fix_rows.empty()) throw DriveError((folder / "fix.csv").string() + ": no fix");
-  }
   if (exists(folder / "pseudoranges.csv")) pseudoranges.emplace(folder / "pseudoranges.csv");
-  if (!fixes && !pseudoranges) throw DriveError(directory + ": neither fix.csv nor pseudoranges.csv");
-  drive.datum = fixes ? point(*fixes, fix_rows.front()) : pseudoranges->first_position();
+  if (fixes.empty() && !pseudoranges) throw DriveError(directory + ": neither fix.csv nor pseudoranges.csv");
+  drive.datum =
+      fixes.empty() ? pseudoranges->first_position() : point(fixes.front().table, fixes.front().rows.front());
   const LocalFrame map(drive.datum);
   const auto epochs = pseudoranges ? pseudoranges->epochs(map) : std::vector<RecordedMeasurement>();
   drive.odometry = exists(folder / "odometry.csv") ? read_odometry(folder / "odometry.csv")
                                                    : odometry_by_doppler(epochs, directory, drive.notices);
-  for (const std::size_t row : fix_rows) drive.measurements.push_back(read_fix(*fixes, row, map));
-  note_refused(fixes, fix_rows.size(), drive.notices);
+  for (const FixFile& file : fixes) file.read(map, drive);
   drive.measurements.insert(drive.measurements.end(), epochs.begin(), epochs.end());
   read_velocities(folder / "velocity.csv", drive.measurements);
   sort_by_arrival(drive.measurements);

@@ -57,8 +57,11 @@ struct Drive {
   /// Stamp of the first thing recorded, from which times are counted [s].
   [[nodiscard]] double start() const;
 
-  /// The fixes among the measurements, those of two antennas one by one, in their order.
-  [[nodiscard]] std::vector<GnssFix> fixes() const;
+  /// The fixes of a receiver among the measurements, of the first one also those of two antennas one by one,
+  /// in their order.
+  [[nodiscard]] std::vector<GnssFix> fixes(std::size_t receiver = 0) const;
+  /// How many receivers there are fixes of, by the highest number.
+  [[nodiscard]] std::size_t receivers() const;
 };
 
 /// Truth at `stamp`, linear between its neighbours, with the shadow flag of the earlier one. Nothing outside
@@ -68,9 +71,13 @@ std::optional<TruthSample> truth_at(const std::vector<TruthSample>& truth, doubl
 /// Where an antenna truly was, or the base itself where truth has no heading [m].
 Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& antenna_in_base);
 
+/// Name of the file of a drive directory that has the fixes of a receiver: "fix.csv", "fix_2.csv", ...
+std::string fix_file_of(std::size_t receiver);
+
 /// Reads `odometry.csv` (t, vx, wz; optional vy, duration), `truth.csv` (t, lat_deg, lon_deg; optional alt_m,
 /// yaw, shadow) and `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional alt_m,
-/// t_arrival, status as of NavSatStatus, whose -1 is refused as no fix) or `pseudoranges.csv`
+/// t_arrival, status as of NavSatStatus, whose -1 is refused as no fix, antenna_x_m with antenna_y_m, the
+/// lever arm) with the like `fix_2.csv`, `fix_3.csv`, ... of further receivers, or `pseudoranges.csv`
 /// (PseudorangeFile) or both of a directory, and where they are there `gyro.csv` (t, yaw_rate_radps; optional
 /// t_arrival) and `velocity.csv` (t, east_mps, north_mps, sigma_mps; optional t_arrival) of the antenna;
 /// other columns are left alone. Times are seconds up to

@@ -47,13 +47,15 @@ void write_odometry(const Drive& drive, const fs::path& folder) {
   file.close();
 }
 
-void write_fixes(const Drive& drive, const LocalFrame& map, const fs::path& folder) {
-  CsvFile file(folder / "fix.csv", "t,lat_deg,lon_deg,cov_ee_m2,cov_en_m2,cov_nn_m2,status");
-  for (const GnssFix& fix : drive.fixes()) {
+void write_fixes(const Drive& drive, std::size_t receiver, const LocalFrame& map, const fs::path& folder) {
+  CsvFile file(folder / fix_file_of(receiver),
+               "t,lat_deg,lon_deg,cov_ee_m2,cov_en_m2,cov_nn_m2,status,antenna_x_m,antenna_y_m");
+  for (const GnssFix& fix : drive.fixes(receiver)) {
     const Geodetic point = map.to_geodetic(fix.position);
     const Eigen::Matrix2d& covariance = fix.covariance;
     file.row(fix.stamp, point.latitude_deg, point.longitude_deg, covariance(0, 0), covariance(0, 1),
-             covariance(1, 1), static_cast<int>(fix.status));
+             covariance(1, 1), static_cast<int>(fix.status), fix.antenna_in_base.x(),
+             fix.antenna_in_base.y());
   }
   file.close();
 }
@@ -118,7 +120,8 @@ void write_drive(const Drive& drive, const std::string& directory) {
   if (failed) throw DriveError("cannot make " + directory + ": " + failed.message());
   const LocalFrame map(drive.datum);
   write_odometry(drive, folder);
-  write_fixes(drive, map, folder);
+  write_fixes(drive, 0, map, folder);
+  for (std::size_t k = 1; k < drive.receivers(); ++k) write_fixes(drive, k, map, folder);
   write_truth(drive, map, folder);
   write_yaw_rates(drive, folder);
   write_velocities(drive, folder);

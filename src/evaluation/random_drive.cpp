@@ -4,6 +4,7 @@
 
 #include "simulation/random_gyro.hpp"
 #include "simulation/random_velocity.hpp"
+#include "simulation/streams.hpp"
 
 namespace multipath_localization {
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr int kTruthPeriodMs = 100;
 const Geodetic kDatum{33.894, 130.839, 30.0};
+const Eigen::Vector2d kSecondAntenna(0.0, -0.8);            // of a second receiver, on the base [m]
+constexpr std::uint64_t kSecondSeed = 0xC2B2AE3D27D4EB4FU;  // its errors are not those of the first
 
 std::vector<TruthSample> truth_of(const RandomRobot& robot) {
   const int period_ms = std::min(kTruthPeriodMs, robot.receiver.period_ms);
@@ -33,11 +36,20 @@ void add_extras(const RandomExtras& extras, std::uint64_t seed, const RandomRobo
       drive.yaw_rates.push_back({read, read.stamp});
     }
   }
-  if (!extras.velocity) return;
-  for (const GnssVelocity& read : read_velocities(draw_velocity(seed), robot.receiver, robot.steps, seed)) {
-    drive.measurements.push_back({read, read.stamp});
+  if (extras.velocity) {
+    for (const GnssVelocity& read : read_velocities(draw_velocity(seed), robot.receiver, robot.steps, seed)) {
+      drive.measurements.push_back({read, read.stamp});
+    }
   }
-  sort_by_arrival(drive.measurements);
+  if (extras.receivers) {
+    RandomStream random(seed, 1, kRandomReceiverStream);
+    const RandomReceiver second = draw_receiver(random, robot.steps, robot.way.speed);
+    for (GnssFix& fix : read_fixes(second, robot.steps, seed + kSecondSeed, kSecondAntenna).fixes) {
+      fix.receiver = 1;
+      drive.measurements.push_back({fix, fix.stamp});
+    }
+  }
+  if (extras.velocity || extras.receivers) sort_by_arrival(drive.measurements);
 }
 
 }  // namespace

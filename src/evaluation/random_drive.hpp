@@ -12,13 +12,14 @@ namespace multipath_localization {
 struct RandomExtras {
   bool gyro = false;
   bool velocity = false;
+  bool receivers = false;  ///< a second one, of any kind, 0.8 m beside the first one
 };
 
 /// A random robot's drive as a recording, and what only the oracle is told of it.
 struct RandomDrive {
   RandomRobot robot;  ///< without its steps
   Drive drive;
-  std::vector<FixTruth> fix_truths;               ///< of each of the drive's fixes
+  std::vector<FixTruth> fix_truths;               ///< of each of the first receiver's fixes
   std::vector<OdometryIncrement> without_faults;  ///< odometry, had the wheels had no faults
 };
 

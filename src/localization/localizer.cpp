@@ -45,19 +45,13 @@ void LocalizerParameters::tunable(ParameterVisitor& field) {
 }
 
 Localizer::Localizer(std::unique_ptr<Estimator> estimator, const LocalizerParameters& parameters)
-    : estimator_(std::move(estimator)),
-      parameters_(parameters),
-      history_(parameters.history_length),
-      fix_covariance_(parameters.fix_covariance) {}
+    : estimator_(std::move(estimator)), parameters_(parameters), history_(parameters.history_length) {}
 
 void Localizer::start(const std::optional<PosePrior>& prior) {
   estimator_->start(prior);
   history_.clear();
-  fix_covariance_.clear();
-  mirror_check_.clear();
+  receivers_.clear();
   standstill_ = {};
-  told_.reset();
-  frozen_.reset();
   waiting_.clear();
   accepted_.fill(std::nullopt);
   has_odometry_ = false;
@@ -65,7 +59,7 @@ void Localizer::start(const std::optional<PosePrior>& prior) {
 
 void Localizer::tune(ParameterVisitor& field) {
   parameters_.tunable(field);
-  fix_covariance_.set(parameters_.fix_covariance);
+  for (auto& [number, receiver] : receivers_) receiver.covariance.set(parameters_.fix_covariance);
 }
 
 void Localizer::add(const OdometryIncrement& reported) {
@@ -76,7 +70,7 @@ void Localizer::add(const OdometryIncrement& reported) {
     if (to <= from) return;
     const OdometryIncrement part = lasting(increment, from, to);
     history_.add(part);
-    mirror_check_.add(part);
+    for (auto& [number, receiver] : receivers_) receiver.mirror.add(part);
     driven_ += ground_speed(part) * part.duration;
     estimator_->predict(part);
     now_ = from = to;
@@ -127,32 +121,36 @@ void Localizer::apply(const Measurement& measurement) {
 
 Innovation Localizer::weigh(GnssFix& fix, MeasurementReport& report) {
   const PoseEstimate before = estimator_->estimate();
-  fix.covariance = fix_covariance_.of(fix.covariance);
+  ReceiverRecord& receiver = receivers_.try_emplace(fix.receiver, parameters_.fix_covariance).first->second;
+  fix.covariance = receiver.covariance.of(fix.covariance);
   Innovation innovation = estimator_->update(fix);
-  tell_frozen(fix, innovation.reason);
+  receiver.tell_frozen(fix, driven_, parameters_.frozen_distance, innovation.reason);
   const double expected = innovation.covariance.trace();
-  if (expected > 0.0) report.used_sigma = std::sqrt(0.5 * (expected + before.bias.squaredNorm()));
-  const bool sound = innovation.accepted() || innovation.reason == Reason::kGated;
-  if (sound) mirror_check_.add(fix);
-  if (sound && before.aligned) {
-    fix_covariance_.observe(driven_, fix.position - before.pose * fix.antenna_in_base);
+  if (expected > 0.0) {
+    report.used_sigma = std::sqrt(0.5 * (expected + before.bias_of(fix.receiver).squaredNorm()));
   }
-  report.observed_sigma = fix_covariance_.observed_sigma();
+  const bool sound = innovation.accepted() || innovation.reason == Reason::kGated;
+  if (sound) receiver.mirror.add(fix);
+  if (sound && before.aligned) {
+    receiver.covariance.observe(driven_, fix.position - before.pose * fix.antenna_in_base);
+  }
+  report.observed_sigma = receiver.covariance.observed_sigma();
   return innovation;
 }
 
-void Localizer::tell_frozen(const GnssFix& fix, Reason& reason) {
-  frozen_.reset();
-  if (reason != Reason::kFrozen) {
-    if (!told_ || told_->position != fix.position) told_ = {fix.position, fix.stamp, driven_};
-    return;
-  }
-  const double driven = told_ ? driven_ - told_->driven : 0.0;
-  if (driven <= parameters_.frozen_distance) {
-    reason = Reason::kRepeated;
-  } else {
-    frozen_ = {fix.stamp - told_->stamp, driven};
-  }
+std::optional<FrozenReceiver> Localizer::frozen(std::size_t receiver) const {
+  const auto known = receivers_.find(receiver);
+  return known == receivers_.end() ? std::nullopt : known->second.frozen;
+}
+
+bool Localizer::any_frozen() const {
+  return std::any_of(receivers_.begin(), receivers_.end(),
+                     [](const auto& known) { return known.second.frozen.has_value(); });
+}
+
+bool Localizer::mirrored() const {
+  return std::any_of(receivers_.begin(), receivers_.end(),
+                     [](const auto& known) { return known.second.mirror.mirrored(); });
 }
 
 std::vector<MeasurementReport> Localizer::take_reports() { return std::exchange(reports_, {}); }
@@ -203,7 +201,7 @@ std::string Localizer::state_reason() const {
     case Trust::kGood: return basis() + " agree with odometry" + missed();
     case Trust::kMultipath: return basis() + " are biased, the bias is being tracked" + missed();
     case Trust::kDeadReckoning:
-      return std::string(frozen_ ? "receiver frozen" : "no usable fix") + ", running on odometry";
+      return std::string(any_frozen() ? "receiver frozen" : "no usable fix") + ", running on odometry";
     case Trust::kLost: return "position too uncertain to drive by";
   }
   return "";

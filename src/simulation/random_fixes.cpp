@@ -184,15 +184,16 @@ class FixReader {
 
 }  // namespace
 
-ReadFixes read_fixes(const RandomReceiver& receiver, const std::vector<MotionStep>& steps,
-                     std::uint64_t seed) {
+ReadFixes read_fixes(const RandomReceiver& receiver, const std::vector<MotionStep>& steps, std::uint64_t seed,
+                     const Eigen::Vector2d& antenna_in_base) {
   ReadFixes read;
   FixReader reader(receiver, seed);
   const auto stride = static_cast<std::size_t>(receiver.period_ms / kWayStepMs);
   for (std::size_t n = 1; n * stride <= steps.size(); ++n) {
     const double time = static_cast<double>(n * stride) * kWayStepMs / 1000.0;
-    reader.read(steps[n * stride - 1].base_in_map.position(), time, read);
+    reader.read(steps[n * stride - 1].base_in_map * antenna_in_base, time, read);
   }
+  for (GnssFix& fix : read.fixes) fix.antenna_in_base = antenna_in_base;
   return read;
 }
 

@@ -100,9 +100,10 @@ struct ReadFixes {
   std::vector<FixTruth> truths;  ///< of each
 };
 
-/// The fixes of a receiver on a way. Deterministic by (receiver, steps, seed).
-ReadFixes read_fixes(const RandomReceiver& receiver, const std::vector<MotionStep>& steps,
-                     std::uint64_t seed);
+/// The fixes of a receiver on a way, of an antenna that is there on the base [m]. Deterministic by its
+/// arguments.
+ReadFixes read_fixes(const RandomReceiver& receiver, const std::vector<MotionStep>& steps, std::uint64_t seed,
+                     const Eigen::Vector2d& antenna_in_base = Eigen::Vector2d::Zero());
 
 /// The place in shadow that holds a point, the first of several; nullptr: none.
 const RandomShadow* shadow_at(const RandomReceiver& receiver, const Eigen::Vector2d& point);

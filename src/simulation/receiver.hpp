@@ -8,6 +8,7 @@
 #include "multipath_localization/core/pose.hpp"
 #include "simulation/delivery_queue.hpp"
 #include "simulation/gauss_markov.hpp"
+#include "simulation/zone.hpp"
 
 namespace multipath_localization {
 
@@ -41,12 +42,6 @@ struct ReceiverParameters {
   double declared_sigma_shadow = 0.3;
 
   void fields(ParameterVisitor& field);
-};
-
-/// What surrounds the antenna at one instant.
-struct Reception {
-  Eigen::Vector2d bias = Eigen::Vector2d::Zero();  ///< of a fix taken here [m]
-  bool in_shadow = false;
 };
 
 /// A GNSS receiver: fixes of the antenna, late and with white, coloured and biased errors.

@@ -14,6 +14,7 @@ void SimulatorParameters::fields(ParameterVisitor& field) {
   field.group("robot", robot, "reference point in the middle of the rear or of the driven axle");
   field.group("odometer", odometer, "wheel odometry and gyro");
   field.group("receiver", receiver, "GNSS receiver");
+  field.group("second_receiver", second_receiver, "another GNSS receiver, beside the first one");
   field.group("dual_receiver", dual_receiver, "a pair of RTK receivers, to tell the heading too");
   field.group("gyro", gyro, "a gyro beside the odometry");
   field.group("velocity", velocity, "velocities by Doppler, of the antenna of `receiver`");
@@ -30,7 +31,9 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
     : parameters_(parameters),
       robot_(parameters.robot, seed),
       odometer_(parameters.odometer, seed),
+      second_receiver_(parameters.second_receiver, parameters.outages, seed),
       dual_receiver_(parameters.dual_receiver, parameters.outages, seed),
+      zones_(parameters.zones, seed),
       receiver_(parameters.receiver, parameters.outages, seed),
       fix_faults_(parameters.faults.fix, seed),
       odometry_faults_(parameters.faults.odometry, seed),
@@ -38,9 +41,6 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
       velocity_receiver_(parameters.velocity, seed),
       gyro_faults_(parameters.faults.gyro, "gyro", seed, kGyroFaultStream),
       velocity_faults_(parameters.faults.velocity, "velocity", seed, kVelocityFaultStream) {
-  for (const ZoneParameters& zone : parameters_.zones) {
-    zones_.emplace_back(zone, seed, static_cast<std::uint32_t>(zones_.size()));
-  }
   for (const BuildingParameters& building : parameters_.buildings) {
     Polygon(building.corners, "building " + building.name);
   }
@@ -50,15 +50,8 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
                     LocalFrame(parameters_.datum()), seed);
     satellite_receiver_.emplace(parameters_.receiver, parameters_.outages, std::move(raw), seed);
   } else {
-    reception_ = reception(robot_.pose() * receiver_.antenna_in_base());
+    reception_ = zones_.around(robot_.pose() * receiver_.antenna_in_base());
   }
-}
-
-Reception Simulator::reception(const Eigen::Vector2d& antenna) const {
-  for (const Zone& zone : zones_) {
-    if (zone.depth(antenna) > 0.0) return {zone.bias(antenna), true};
-  }
-  return {};
 }
 
 std::vector<Measurement> Simulator::receive(double duration) {
@@ -67,7 +60,7 @@ std::vector<Measurement> Simulator::receive(double duration) {
     reception_ = satellite_receiver_->reception();
     return delivered;
   }
-  reception_ = reception(robot_.pose() * receiver_.antenna_in_base());
+  reception_ = zones_.around(robot_.pose() * receiver_.antenna_in_base());
   const std::vector<GnssFix> fixes = receiver_.step(robot_.pose(), reception_, time(), duration);
   return {fixes.begin(), fixes.end()};
 }
@@ -115,14 +108,17 @@ std::vector<GnssVelocity> Simulator::velocities(double duration) {
 Readings Simulator::step(const MotionCommand& u) {
   ++steps_;
   const double duration = parameters_.time_step;
-  for (Zone& zone : zones_) zone.step(duration);
+  zones_.step(duration);
   robot_.step(u, duration);
   Readings readings;
   readings.yaw_rates = turn_rates();
   readings.odometry = odometer_.step(robot_, time(), duration);
   if (readings.odometry) readings.odometry = odometry_faults_.spoil(*readings.odometry);
   readings.measurements = spoilt(receive(duration));
-  const auto bias_at = [this](const Eigen::Vector2d& point) { return reception(point).bias; };
+  for (const GnssFix& fix : second_receiver_.step(robot_.pose(), time(), duration)) {
+    readings.measurements.emplace_back(fix);
+  }
+  const auto bias_at = [this](const Eigen::Vector2d& point) { return zones_.around(point).bias; };
   for (const DualAntennaFix& fixes : dual_receiver_.step(robot_.pose(), bias_at, time())) {
     readings.measurements.emplace_back(fixes);
   }

@@ -16,6 +16,7 @@
 #include "simulation/receiver.hpp"
 #include "simulation/robot.hpp"
 #include "simulation/satellite_receiver.hpp"
+#include "simulation/second_receiver.hpp"
 #include "simulation/sky_view.hpp"
 #include "simulation/velocity_receiver.hpp"
 #include "simulation/zone.hpp"
@@ -30,6 +31,7 @@ struct SimulatorParameters {
   RobotParameters robot;
   OdometerParameters odometer;
   ReceiverParameters receiver;
+  SecondReceiverParameters second_receiver;
   DualReceiverParameters dual_receiver;
   GyroParameters gyro;
   VelocityReceiverParameters velocity;
@@ -78,7 +80,6 @@ class Simulator {
   [[nodiscard]] const SimulatorParameters& parameters() const { return parameters_; }
 
  private:
-  [[nodiscard]] Reception reception(const Eigen::Vector2d& antenna) const;
   std::vector<Measurement> receive(double duration);
   std::vector<Measurement> spoilt(const std::vector<Measurement>& delivered);
   std::vector<YawRate> turn_rates();
@@ -88,8 +89,9 @@ class Simulator {
   std::int64_t steps_ = 0;
   Robot robot_;
   Odometer odometer_;
+  SecondReceiver second_receiver_;
   DualReceiver dual_receiver_;
-  std::vector<Zone> zones_;
+  Zones zones_;
   std::optional<SatelliteReceiver> satellite_receiver_;
   Receiver receiver_;
   FixFaults fix_faults_;

@@ -66,4 +66,21 @@ Eigen::Vector2d Zone::bias(const Eigen::Vector2d& point) const {
   return length > parameters_.bias_cap ? Eigen::Vector2d(walk * (parameters_.bias_cap / length)) : walk;
 }
 
+Zones::Zones(const std::vector<ZoneParameters>& parameters, std::uint64_t seed) {
+  for (const ZoneParameters& zone : parameters) {
+    zones_.emplace_back(zone, seed, static_cast<std::uint32_t>(zones_.size()));
+  }
+}
+
+void Zones::step(double duration) {
+  for (Zone& zone : zones_) zone.step(duration);
+}
+
+Reception Zones::around(const Eigen::Vector2d& point) const {
+  for (const Zone& zone : zones_) {
+    if (zone.depth(point) > 0.0) return {zone.bias(point), true};
+  }
+  return {};
+}
+
 }  // namespace multipath_localization

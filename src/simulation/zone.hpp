@@ -68,4 +68,25 @@ class Zone {
   std::optional<GaussMarkov2> walk_;
 };
 
+/// What surrounds an antenna at one instant.
+struct Reception {
+  Eigen::Vector2d bias = Eigen::Vector2d::Zero();  ///< of a fix taken here [m]
+  bool in_shadow = false;
+};
+
+/// All zones of a receiver; of overlapping ones the first counts.
+class Zones {
+ public:
+  /// Throws ParameterError when a polygon has fewer than three corners.
+  Zones(const std::vector<ZoneParameters>& parameters, std::uint64_t seed);
+
+  /// Moves them on by one step of `duration` [s].
+  void step(double duration);
+  /// At a point in map.
+  [[nodiscard]] Reception around(const Eigen::Vector2d& point) const;
+
+ private:
+  std::vector<Zone> zones_;
+};
+
 }  // namespace multipath_localization

@@ -84,13 +84,13 @@ std::vector<NamedStream> open_streams(const Options& options) {
 /// Leaves inputs of a recording aside.
 void leave_aside(const RandomExtras& inputs, Drive& drive) {
   if (inputs.gyro) drive.yaw_rates.clear();
-  if (!inputs.velocity) return;
+  const auto left_aside = [&](const RecordedMeasurement& recorded) {
+    const auto* fix = std::get_if<GnssFix>(&recorded.measurement);
+    return (inputs.velocity && std::holds_alternative<GnssVelocity>(recorded.measurement)) ||
+           (inputs.receivers && fix != nullptr && fix->receiver > 0);
+  };
   auto& all = drive.measurements;
-  all.erase(std::remove_if(all.begin(), all.end(),
-                           [](const RecordedMeasurement& recorded) {
-                             return std::holds_alternative<GnssVelocity>(recorded.measurement);
-                           }),
-            all.end());
+  all.erase(std::remove_if(all.begin(), all.end(), left_aside), all.end());
 }
 
 /// Whose parameters count in this evaluation.

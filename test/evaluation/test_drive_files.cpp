@@ -63,6 +63,19 @@ TEST(DriveFiles, GiveYawRatesAndVelocitiesBack) {
   EXPECT_NEAR((last(read).covariance - last(written).covariance).norm(), 0.0, 1e-12);
 }
 
+TEST(DriveFiles, GiveTheFixesOfFurtherReceiversBack) {
+  const TemporaryFolder folder;
+  const Drive written = random_drive(7, {false, false, true}).drive;
+  write_drive(written, folder.path() + "/seven");
+  const Drive read = read_drive(folder.path() + "/seven");
+  ASSERT_EQ(read.receivers(), 2u);
+  ASSERT_EQ(read.fixes(1).size(), written.fixes(1).size());
+  EXPECT_EQ(read.fixes(1).back().stamp, written.fixes(1).back().stamp);
+  EXPECT_EQ(read.fixes(1).back().covariance, written.fixes(1).back().covariance);
+  EXPECT_EQ(read.fixes(1).back().antenna_in_base, Eigen::Vector2d(0.0, -0.8));
+  EXPECT_EQ(read.fixes().back().antenna_in_base, Eigen::Vector2d::Zero());
+}
+
 TEST(DriveFiles, FindsDrivesAndSaysWhatIsNone) {
   const TemporaryFolder folder;
   const Drive drive = random_drive(7).drive;

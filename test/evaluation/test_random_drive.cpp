@@ -50,5 +50,15 @@ TEST(RandomDrive, StaysTheSameRobotWithAGyroAndVelocities) {
   EXPECT_EQ(with.drive.fixes().back().position, without.drive.fixes().back().position);
 }
 
+TEST(RandomDrive, HasASecondReceiverBesideTheFirst) {
+  const RandomDrive without = random_drive(9);
+  const RandomDrive with = random_drive(9, {false, false, true});
+  EXPECT_EQ(without.drive.receivers(), 1u);
+  ASSERT_EQ(with.drive.receivers(), 2u);
+  EXPECT_EQ(with.drive.fixes().back().position, without.drive.fixes().back().position);
+  EXPECT_EQ(with.drive.fixes(1).front().antenna_in_base, Eigen::Vector2d(0.0, -0.8));
+  EXPECT_EQ(with.fix_truths.size(), with.drive.fixes().size());
+}
+
 }  // namespace
 }  // namespace multipath_localization

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "multipath_localization/core/pose.hpp"
 
@@ -62,6 +63,13 @@ inline Innovation refused(Reason reason) {
   return innovation;
 }
 
+/// What an estimator knows of the fixes of one receiver.
+struct ReceiverEstimate {
+  std::size_t receiver = 0;                        ///< as GnssFix has it
+  double shadow_probability = 0.0;                 ///< of its fixes being biased
+  Eigen::Vector2d bias = Eigen::Vector2d::Zero();  ///< of a fix [m]
+};
+
 /// What an estimator knows. Everything in the map frame.
 struct PoseEstimate {
   bool valid = false;    ///< false until something was measured; nothing below counts then
@@ -73,12 +81,16 @@ struct PoseEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of x, y, yaw within the cluster [m, rad]
   double dominance = 1.0;                                    ///< probability mass of the dominant cluster
   Eigen::Matrix2d position_covariance_overall =
-      Eigen::Matrix2d::Identity();                            ///< all clusters, about `pose` [m^2]
-  double shadow_probability = 0.0;                            ///< of the mode "fixes are biased"
-  double wheel_fault_probability = 0.0;                       ///< of odometry that says nothing
-  Eigen::Vector2d bias = Eigen::Vector2d::Zero();             ///< of the fix [m]
+      Eigen::Matrix2d::Identity();  ///< all clusters, about `pose` [m^2]
+  double shadow_probability = 0.0;  ///< of the mode "fixes are biased", of several receivers those of all
+  double wheel_fault_probability = 0.0;            ///< of odometry that says nothing
+  Eigen::Vector2d bias = Eigen::Vector2d::Zero();  ///< of the fix, of several receivers of the first one [m]
   Eigen::Matrix2d bias_covariance = Eigen::Matrix2d::Zero();  ///< [m^2]
+  std::vector<ReceiverEstimate> receivers;                    ///< by number; empty where there is but one
   double effective_sample_size = 1.0;
+
+  /// Of a fix of that receiver [m].
+  [[nodiscard]] Eigen::Vector2d bias_of(std::size_t receiver) const;
 };
 
 /// Covariance of x, y, yaw [m, rad] that goes with `pose` where clusters are not told apart: in position as

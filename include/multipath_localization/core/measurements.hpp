@@ -65,6 +65,7 @@ struct GnssFix {
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();   ///< as declared by the receiver [m^2]
   Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
   FixStatus status = FixStatus::kSingle;                      ///< as claimed by the receiver
+  std::size_t receiver = 0;                                   ///< whose fix it is, where a robot has several
 };
 
 /// Two fixes of about one instant, each with its own stamp, from antennas on one base; their lever arms tell

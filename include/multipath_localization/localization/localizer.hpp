@@ -3,6 +3,7 @@
 #include <array>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,8 +14,7 @@
 #include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/localization/gyro_turn.hpp"
-#include "multipath_localization/localization/mirror_check.hpp"
-#include "multipath_localization/localization/receiver_covariance.hpp"
+#include "multipath_localization/localization/receiver_record.hpp"
 #include "multipath_localization/localization/standstill.hpp"
 #include "multipath_localization/models/motion/odometry_history.hpp"
 
@@ -40,12 +40,6 @@ struct MeasurementReport {
   Innovation innovation;
   std::optional<double> observed_sigma;  ///< how far fixes lie from the pose by now, an axis [m]
   std::optional<double> used_sigma;      ///< how far the estimator reckoned with, bias included [m]
-};
-
-/// A receiver that says the same to the bit while the robot drives on.
-struct FrozenReceiver {
-  double duration = 0.0;  ///< since it said so first [s]
-  double driven = 0.0;    ///< since then [m]
 };
 
 /// Puts an estimator on a stream: measurements count at their own stamps, whatever the order of arrival.
@@ -81,12 +75,13 @@ class Localizer {
 
   [[nodiscard]] PoseEstimate estimate() const { return estimator_->estimate(); }
   [[nodiscard]] std::vector<Hypothesis> hypotheses() const { return estimator_->hypotheses(); }
-  /// What the last fix told of a frozen receiver, nothing where it is none.
-  [[nodiscard]] const std::optional<FrozenReceiver>& frozen() const { return frozen_; }
+  /// What the last fix of a receiver told of its being frozen, nothing where it is not.
+  [[nodiscard]] std::optional<FrozenReceiver> frozen(std::size_t receiver = 0) const;
   /// What becomes of the yaw rates.
   [[nodiscard]] const GyroTurn& gyro() const { return gyro_; }
-  /// Whether odometry turns the other way round than the fixes: its pose counts as not confirmed then.
-  [[nodiscard]] bool mirrored() const { return mirror_check_.mirrored(); }
+  /// Whether odometry turns the other way round than the fixes of a receiver: its pose counts as not
+  /// confirmed then.
+  [[nodiscard]] bool mirrored() const;
   [[nodiscard]] Trust state() const;
   /// One sentence that says why the state is what it is.
   [[nodiscard]] std::string state_reason() const;
@@ -95,8 +90,7 @@ class Localizer {
   void apply(const Measurement& measurement);
   /// Hands a fix to the estimator with the covariance it is to have; what was observed goes into the report.
   Innovation weigh(GnssFix& fix, MeasurementReport& report);
-  /// Takes note of where a fix lies, and tells why a repeated one is refused.
-  void tell_frozen(const GnssFix& fix, Reason& reason);
+  [[nodiscard]] bool any_frozen() const;
   /// When a measurement of the position was accepted last, the start of odometry before the first [s].
   [[nodiscard]] double last_accepted() const;
   [[nodiscard]] std::size_t latest_kind() const;
@@ -109,22 +103,13 @@ class Localizer {
   std::unique_ptr<Estimator> estimator_;
   LocalizerParameters parameters_;
   OdometryHistory history_;
-  ReceiverCovariance fix_covariance_;
-  MirrorCheck mirror_check_;
+  std::map<std::size_t, ReceiverRecord> receivers_;  ///< by GnssFix::receiver
   Standstill standstill_;
   GyroTurn gyro_;
   std::deque<Measurement> waiting_;  ///< ahead of the odometry, by stamp
   std::vector<MeasurementReport> reports_;
   double now_ = 0.0;
   double driven_ = 0.0;  ///< way since the start [m]
-  /// A place fixes have told, and when and after which way they did so first.
-  struct Told {
-    Eigen::Vector2d position;
-    double stamp;
-    double driven;
-  };
-  std::optional<Told> told_;  ///< last
-  std::optional<FrozenReceiver> frozen_;
   bool has_odometry_ = false;
   double start_ = 0.0;                                                            ///< of odometry
   std::array<std::optional<double>, std::variant_size_v<Measurement>> accepted_;  ///< last stamp, by kind

@@ -92,10 +92,10 @@ double log_uniform(double low, double high, RandomStream& random) {
   return low * std::exp(random.uniform() * std::log(high / low));
 }
 
-double ErrorLaw::white_variance() const { return std::exp(2.0 * log_white); }
-double ErrorLaw::slow_sigma() const { return std::exp(log_slow); }
-double ErrorLaw::slow_time() const { return std::exp(log_slow_time); }
-double ErrorLaw::open_sigma() const { return std::exp(std::max(log_white, log_slow)); }
+double FixLaw::white_variance() const { return std::exp(2.0 * log_white); }
+double FixLaw::slow_sigma() const { return std::exp(log_slow); }
+double FixLaw::slow_time() const { return std::exp(log_slow_time); }
+double FixLaw::open_sigma() const { return std::exp(std::max(log_white, log_slow)); }
 
 NoiseFactors ErrorLaw::odometry_noise() const {
   return {std::exp(2.0 * log_way), std::exp(2.0 * log_turn), std::exp(2.0 * log_gyro)};
@@ -103,11 +103,17 @@ NoiseFactors ErrorLaw::odometry_noise() const {
 
 double draw_gyro_noise(RandomStream& random) { return kGyro.draw(1.0, random); }
 
-ErrorLaw draw_error_law(RandomStream& random) {
-  ErrorLaw law;
+FixLaw draw_fix_law(RandomStream& random) {
+  FixLaw law;
   law.log_white = kWhite.draw(1.0, random);
   law.log_slow = kSlow.draw(1.0, random);
   law.log_slow_time = draw_slow_time(random);
+  return law;
+}
+
+ErrorLaw draw_error_law(RandomStream& random) {
+  ErrorLaw law;
+  static_cast<FixLaw&>(law) = draw_fix_law(random);
   const double widened = random.uniform() < kRoughShare ? kRough : 1.0;
   law.log_way = kOdometry.draw(widened, random);
   law.log_turn = kOdometry.draw(widened, random);
@@ -116,11 +122,13 @@ ErrorLaw draw_error_law(RandomStream& random) {
   return law;
 }
 
-void wander(ErrorLaw& law, double duration, bool standing, RandomStream& random) {
+void wander_fixes(FixLaw& law, double duration, RandomStream& random) {
   step(law.log_white, kWhite, duration, kFixMemory, random);
   step(law.log_slow, kSlow, duration, kFixMemory, random);
   if (happens(duration, kFixMemory, random)) law.log_slow_time = draw_slow_time(random);
-  if (standing) return;
+}
+
+void wander_odometry(ErrorLaw& law, double duration, RandomStream& random) {
   step(law.log_way, kOdometry, duration, kOdometryMemory, random);
   step(law.log_turn, kOdometry, duration, kOdometryMemory, random);
   step(law.log_walk, kWalk, duration, kOdometryMemory, random);

@@ -5,24 +5,32 @@
 
 namespace multipath_localization::multipath {
 
-/// How large the errors of fixes under open sky and of odometry are: one guess, carried by a hypothesis,
+/// How large the errors of a receiver's fixes under open sky are: one guess, carried by a hypothesis,
 /// equations (5), (6). Natural logarithms, so that they wander by factors.
-struct ErrorLaw {
+struct FixLaw {
   double log_white = 0.0;      ///< white error of a fix, in the sigma it declares
   double log_slow = 0.0;       ///< slow error of a fix that does not average out, likewise
   double log_slow_time = 0.0;  ///< its correlation time [s]
-  double log_way = 0.0;        ///< noise of the way, in that of the parameters
-  double log_turn = 0.0;       ///< noise of the turn, likewise
-  double log_walk = 0.0;       ///< walk of the odometry's constants, likewise
-  double log_gyro = 0.0;       ///< noise of the gyro beside the odometry, in that of a cheap one
-  bool blind = false;          ///< odometry that has told of no turn yet tells of none
 
   [[nodiscard]] double white_variance() const;  ///< [declared variance]
   [[nodiscard]] double slow_sigma() const;      ///< [declared sigma]
   [[nodiscard]] double slow_time() const;       ///< [s]
   [[nodiscard]] double open_sigma() const;      ///< the larger of the two errors [declared sigma]
+};
+
+/// The same of odometry besides, likewise.
+struct ErrorLaw : FixLaw {
+  double log_way = 0.0;   ///< noise of the way, in that of the parameters
+  double log_turn = 0.0;  ///< noise of the turn, likewise
+  double log_walk = 0.0;  ///< walk of the odometry's constants, likewise
+  double log_gyro = 0.0;  ///< noise of the gyro beside the odometry, in that of a cheap one
+  bool blind = false;     ///< odometry that has told of no turn yet tells of none
+
   [[nodiscard]] NoiseFactors odometry_noise() const;
 };
+
+/// A law drawn from the priors.
+FixLaw draw_fix_law(RandomStream& random);
 
 /// A law drawn from the priors, but for the noise of the gyro.
 ErrorLaw draw_error_law(RandomStream& random);
@@ -30,8 +38,10 @@ ErrorLaw draw_error_law(RandomStream& random);
 /// `log_gyro`, drawn from its prior.
 double draw_gyro_noise(RandomStream& random);
 
-/// Lets the law wander for `duration` [s] about its prior, where the robot stands that of the fixes alone.
-void wander(ErrorLaw& law, double duration, bool standing, RandomStream& random);
+/// Lets the law wander for `duration` [s] about its prior.
+void wander_fixes(FixLaw& law, double duration, RandomStream& random);
+/// The same of a robot that drives, that of its odometry.
+void wander_odometry(ErrorLaw& law, double duration, RandomStream& random);
 
 /// What the fixes of one shadow are off by, equation (7): a bias that is a Gauss-Markov process, and white
 /// noise.

@@ -119,12 +119,12 @@ Explainer::Explainer(const Hypothesis& hypothesis, const Sighting& sighting, Ran
 
   const bool failing = h_.wheel_fault.any();
   fault_ = failing ? h_.wheel_fault : draw_wheel_fault(random_);
-  fault_probability_ = failing ? fault_goes_on(z_.duration, z_.standing) : z_.fault_probability;
+  fault_probability_ = failing ? fault_goes_on(z_.unseen(), z_.standing) : z_.fault_probability;
   // Velocities may lie as well as wheels: half of the hypotheses go by neither.
   const double seen_time =
       h_.velocity.seen_time > 0.0 && random_.uniform() < 0.5 ? h_.velocity.seen_time : 0.0;
   if (seen_time > 0.0) unseen_way_ = h_.velocity.unseen;
-  unseen_time_ = std::max(0.0, z_.duration - seen_time);
+  unseen_time_ = std::max(0.0, z_.unseen() - seen_time);
   unseen_ = unseen_motion(h_, fault_, z_.usual_speed, unseen_time_) +
             square(kSeenNoise * seen_time) * Matrix2d::Identity();
 
@@ -231,7 +231,7 @@ void Explainer::lost() {
   lost.noise = white_;
   lost.displaced = square(log_uniform(kNearLost, kFarLost, random_));
   const double in_gap = z_.after_gap ? kLostInGap : 0.0;
-  add(probability(kLostRate, z_.duration) + in_gap * probability(1.0 / kLongGap, z_.duration), lost);
+  add(probability(kLostRate, z_.unseen()) + in_gap * probability(1.0 / kLongGap, z_.unseen()), lost);
 }
 
 double Explainer::log_likelihood(const Explanation& e) const {
@@ -277,7 +277,7 @@ void Explainer::apply(const Explanation& chosen, Hypothesis& h) {
   if (z_.refixed && h.in_shadow && held(random_)) hold(h.shadow_law, random_);
   h.level = h.in_shadow ? shadow_level_ : z_.level;
   if (chosen.fault.any()) {
-    const double turning = h.wheel_fault.any() ? unseen_time_ : z_.duration;
+    const double turning = h.wheel_fault.any() ? unseen_time_ : z_.unseen();
     h.wheel_fault = chosen.fault;
     fail(h, unseen_way_, unseen_, z_.turns_by_gyro ? 0.0 : turning, random_);
   }

@@ -9,8 +9,9 @@ namespace multipath_localization::multipath {
 /// A fix, and what led up to it.
 struct Sighting {
   GnssFix fix;                     ///< covariance positive definite
-  double duration = 0.0;           ///< since the last one, > 0 [s]
-  bool after_gap = false;          ///< the first fix after a gap
+  double duration = 0.0;           ///< since the last one of this receiver, > 0 [s]
+  double between = 0.0;            ///< of that, until the last one of another receiver [s]
+  bool after_gap = false;          ///< the first fix after a gap of all receivers
   bool refixed = false;            ///< the first for which the receiver has fixed its ambiguities
   bool reacquired = false;         ///< soon after one or the other, with which a receiver begins anew
   bool standing = false;           ///< the wheels stood for most of that
@@ -20,6 +21,9 @@ struct Sighting {
   double fault_probability = 0.0;  ///< that the wheels begin to fail now
   double largest_bias = 40.0;      ///< of a shadow [m]
   double shadow_entry_rate = 0.0;  ///< [1/s]
+
+  /// For which the odometry has gone on alone [s].
+  [[nodiscard]] double unseen() const { return duration - between; }
 };
 
 /// What a fix says of a hypothesis.

@@ -19,7 +19,10 @@ constexpr double kImuBiasWalk = 2e-5;  // of a cheap gyro while it warms up [rad
 void observe(Hypothesis& h, StateIndex index, double value, double variance) {
   const State PH = h.covariance.col(index);
   const double S = PH(index) + variance;
-  h.mean += PH * ((value - h.mean(index)) / S);
+  const double innovation = value - h.mean(index);
+  h.others.correct(State::Unit(index).transpose(), PH / S, Eigen::Matrix<double, 1, 1>(S),
+                   Eigen::Matrix<double, 1, 1>(innovation));
+  h.mean += PH * (innovation / S);
   h.mean(kYaw) = wrap_angle(h.mean(kYaw));
   h.covariance -= (PH * PH.transpose() / S).eval();
 }
@@ -48,6 +51,7 @@ void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noi
   mean(kYaw) = wrap_angle(mean(kYaw) + odometry.turn() + correction(2));
   covariance.topRows<3>() += J * covariance.middleRows<kCauses>(kYaw).eval();
   covariance.leftCols<3>() += covariance.middleCols<kCauses>(kYaw).eval() * J.transpose();
+  others.cross.topRows<3>() += J * others.cross.middleRows<kCauses>(kYaw).eval();
   Eigen::Matrix3d unsure = odometry.noise(law.odometry_noise());
   if (law.blind) unsure += odometry.untold_turns();
   const Eigen::Matrix3d noise_in_map = turned * unsure * turned.transpose();
@@ -64,6 +68,7 @@ void Hypothesis::renew_heading(double yaw, double variance) {
   covariance.row(kYaw).setZero();
   covariance.col(kYaw).setZero();
   covariance(kYaw, kYaw) = variance;
+  others.cross.row(kYaw).setZero();
 }
 
 void Hypothesis::adopt(const Hypothesis& other) {
@@ -107,6 +112,13 @@ void Hypothesis::correct(const GnssFix& fix, const Eigen::Matrix2d& noise) {
   Eigen::Vector2d innovation = fix.position - mean.head<2>() - lever - mean.segment<2>(kSlowX);
   if (in_shadow) innovation -= mean.segment<2>(kShadowX);
   const Eigen::Matrix<double, kStateSize, 2> K = PH * S.inverse();
+  if (!others.errors.empty()) {
+    Eigen::Matrix<double, 2, kStateSize> H = Eigen::Matrix<double, 2, kStateSize>::Zero();
+    H.leftCols<2>() = H.middleCols<2>(kSlowX) = Eigen::Matrix2d::Identity();
+    H.col(kYaw) = by_yaw;
+    if (in_shadow) H.middleCols<2>(kShadowX) = Eigen::Matrix2d::Identity();
+    others.correct(H, K, S, innovation);
+  }
   mean += K * innovation;
   mean(kYaw) = wrap_angle(mean(kYaw));
   covariance -= K * PH.transpose();
@@ -127,6 +139,7 @@ void move_by_bias(Hypothesis& h) {
   h.mean.head<2>() += h.mean.segment<2>(kShadowX);
   h.covariance.topRows<2>() += h.covariance.middleRows<2>(kShadowX).eval();
   h.covariance.leftCols<2>() += h.covariance.middleCols<2>(kShadowX).eval();
+  h.others.cross.topRows<2>() += h.others.cross.middleRows<2>(kShadowX).eval();
   decay(h, kShadowX, 0.0, 0.0);
 }
 
@@ -135,6 +148,7 @@ void decay(Hypothesis& hypothesis, StateIndex first, double keep, double varianc
     hypothesis.mean.segment<2>(first) *= keep;
     hypothesis.covariance.middleRows<2>(first) *= keep;
     hypothesis.covariance.middleCols<2>(first) *= keep;
+    hypothesis.others.cross.middleRows<2>(first) *= keep;
   }
   hypothesis.covariance(first, first) += variance;
   hypothesis.covariance(first + 1, first + 1) += variance;

@@ -4,33 +4,13 @@
 
 #include "estimators/multipath/error_laws.hpp"
 #include "estimators/multipath/odometry_sum.hpp"
+#include "estimators/multipath/other_receivers.hpp"
+#include "estimators/multipath/state.hpp"
 #include "estimators/multipath/velocity_law.hpp"
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/models/motion/preintegrated_odometry.hpp"
 
 namespace multipath_localization::multipath {
-
-/// The state of a hypothesis, equation (1): pose, errors of the odometry, slow error and shadow bias of the
-/// fixes.
-enum StateIndex {
-  kX,
-  kY,
-  kYaw,
-  kScale,
-  kGyroBias,
-  kTurnScale,
-  kCurvature,
-  kImuBias,
-  kSlowX,
-  kSlowY,
-  kShadowX,
-  kShadowY,
-  kStateSize
-};
-using State = Eigen::Matrix<double, kStateSize, 1>;
-/// Of the base in map.
-inline Pose2 pose_of(const State& state) { return {state(kX), state(kY), state(kYaw)}; }
-using StateCovariance = Eigen::Matrix<double, kStateSize, kStateSize>;
 
 /// Wheels that turn otherwise than the robot drives; all zero while they do not.
 struct WheelFault {
@@ -51,6 +31,7 @@ struct Hypothesis {
   ShadowLaw shadow_law;
   WheelFault wheel_fault;
   VelocityLaw velocity;
+  OtherReceivers others;
 
   [[nodiscard]] Pose2 pose() const { return pose_of(mean); }
   /// What a fix is off by, its white noise apart [m].

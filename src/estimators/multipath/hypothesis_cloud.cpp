@@ -52,12 +52,43 @@ void add_spread(const std::vector<Hypothesis>& hypotheses, Mixture& m) {
   }
 }
 
+/// Weighs by the evidence, of which so much counts where nothing has changed, and none where the robot
+/// stands.
+double weigh_by(const std::vector<Evidence>& evidence, double tempered, bool standing,
+                std::vector<Hypothesis>& hypotheses) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    highest = std::max(highest, hypotheses[i].log_weight + evidence[i].log_likelihood);
+  }
+  double prior = 0.0;
+  double posterior = 0.0;
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    const double log_weight = hypotheses[i].log_weight;
+    prior += std::exp(log_weight);
+    posterior += std::exp(log_weight + evidence[i].log_likelihood - highest);
+  }
+  const double expected = highest + std::log(posterior / prior);
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    Hypothesis& h = hypotheses[i];
+    const bool parked = standing && !h.wheel_fault.any();
+    const double share = parked ? 0.0 : evidence[i].event ? 1.0 : tempered;
+    h.log_weight += share * (evidence[i].log_likelihood - expected);
+    if (!parked) h.log_weight += (1.0 - share) * evidence[i].log_stay;
+  }
+  return expected;
+}
+
 }  // namespace
+
+double evidence_share(const Mixture& mixture, double duration) {
+  const double time = kOpenEvidenceTime + (kShadowEvidenceTime - kOpenEvidenceTime) * mixture.shadow;
+  return std::min(1.0, duration / time);
+}
 
 void HypothesisCloud::clear() {
   hypotheses_.clear();
   mixture_ = {};
-  level_.reset();
+  receivers_ = {};
   step_ = 0;
   velocity_step_ = 0;
 }
@@ -92,56 +123,31 @@ void HypothesisCloud::let_wheels_fail(double probability, double speed, double d
 }
 
 double HypothesisCloud::weigh(Sighting sighting) {
+  attend(sighting);
   const double sigma = mean_sigma(sighting.fix.covariance);
-  if (!level_) {
-    level_ = sigma;
+  std::optional<double>& level = receivers_.level;
+  if (!level) {
+    level = sigma;
     for (Hypothesis& h : hypotheses_) h.level = sigma;
   }
-  const bool changed = sigma > *level_ * kLevelFactor || sigma < *level_ / kLevelFactor;
-  if (changed) level_ = sigma;
-  sighting.level = *level_;
+  const bool changed = sigma > *level * kLevelFactor || sigma < *level / kLevelFactor;
+  if (changed) level = sigma;
+  sighting.level = *level;
   ++step_;
   std::vector<Evidence> evidence(hypotheses_.size());
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
     Hypothesis& h = hypotheses_[i];
     const bool fault = h.wheel_fault.any() || sighting.fault_probability > 0.0;
-    wander(h.law, sighting.duration, sighting.standing && !fault, random);
+    wander_fixes(h.law, sighting.duration, random);
+    if (!sighting.standing || fault) wander_odometry(h.law, sighting.unseen(), random);
     evidence[i] = explain(h, sighting, random);
   }
+  const bool standing = sighting.standing && sighting.fault_probability <= 0.0;
   const double expected =
-      weigh_by(evidence, sighting.duration, sighting.standing && sighting.fault_probability <= 0.0);
+      weigh_by(evidence, evidence_share(mixture_, sighting.duration), standing, hypotheses_);
   refresh();
   resample();
-  return expected;
-}
-
-double HypothesisCloud::evidence_share(double duration) const {
-  const double time = kOpenEvidenceTime + (kShadowEvidenceTime - kOpenEvidenceTime) * mixture_.shadow;
-  return std::min(1.0, duration / time);
-}
-
-double HypothesisCloud::weigh_by(const std::vector<Evidence>& evidence, double duration, bool standing) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < evidence.size(); ++i) {
-    highest = std::max(highest, hypotheses_[i].log_weight + evidence[i].log_likelihood);
-  }
-  double prior = 0.0;
-  double posterior = 0.0;
-  for (std::size_t i = 0; i < evidence.size(); ++i) {
-    const double log_weight = hypotheses_[i].log_weight;
-    prior += std::exp(log_weight);
-    posterior += std::exp(log_weight + evidence[i].log_likelihood - highest);
-  }
-  const double expected = highest + std::log(posterior / prior);
-  const double tempered = evidence_share(duration);
-  for (std::size_t i = 0; i < evidence.size(); ++i) {
-    Hypothesis& h = hypotheses_[i];
-    const bool parked = standing && !h.wheel_fault.any();
-    const double share = parked ? 0.0 : evidence[i].event ? 1.0 : tempered;
-    h.log_weight += share * (evidence[i].log_likelihood - expected);
-    if (!parked) h.log_weight += (1.0 - share) * evidence[i].log_stay;
-  }
   return expected;
 }
 
@@ -169,7 +175,7 @@ void HypothesisCloud::resample() {
 }
 
 void HypothesisCloud::resample(std::size_t count) {
-  if (velocity_step_ > 0) return resample_by_kind(kinds(count));
+  if (velocity_step_ > 0) return resample_by_kind(count);
   std::vector<double> weights;
   weights.reserve(hypotheses_.size());
   for (const Hypothesis& h : hypotheses_) weights.push_back(std::exp(h.log_weight));
@@ -205,6 +211,8 @@ void HypothesisCloud::refresh() {
                       std::exp(2.0 * log_noise(2))};
   m.effective_size = 1.0 / squares;
   add_spread(hypotheses_, m);
+  for (std::size_t k = 0; k < receivers_.others.size(); ++k)
+    m.others.push_back(errors_of_other(hypotheses_, k));
   mixture_ = m;
 }
 

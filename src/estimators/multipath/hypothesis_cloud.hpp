@@ -6,12 +6,23 @@
 
 #include "estimators/multipath/explanations.hpp"
 #include "estimators/multipath/hypothesis.hpp"
+#include "estimators/multipath/receiver_roster.hpp"
 #include "estimators/multipath/velocity_block.hpp"
 #include "multipath_localization/core/estimate.hpp"
 
 namespace multipath_localization::multipath {
 
-/// The hypotheses as one Gaussian and some probabilities, equations (15), (16).
+/// What all hypotheses together hold of the fixes of one receiver.
+struct FixErrors {
+  Eigen::Vector2d bias = Eigen::Vector2d::Zero();             ///< [m]
+  Eigen::Matrix2d bias_covariance = Eigen::Matrix2d::Zero();  ///< [m^2]
+  double white_variance = 0.0;                                ///< an axis [m^2]
+  double slow_variance = 0.0;                                 ///< of the slow error, an axis [m^2]
+  double shadow = 0.0;                                        ///< probability of a shadow
+};
+
+/// The hypotheses as one Gaussian and some probabilities, equations (15), (16); of the fixes it tells of the
+/// receiver that is attended to.
 struct Mixture {
   State mean = State::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of x, y, yaw: within and between hypotheses
@@ -25,7 +36,19 @@ struct Mixture {
   double velocity = 0.0;     ///< probability that the last velocities of a receiver are what they seem
   double agreement = 1.0;    ///< weight of those within kHeadingReach of the mean heading
   double effective_size = 1.0;
+  std::vector<FixErrors> others;  ///< of the other receivers
+
+  /// Probability of a shadow of the receiver that is held to be least in one.
+  [[nodiscard]] double least_shadow() const;
+  /// Likewise the smallest variance of a slow error [m^2].
+  [[nodiscard]] double least_slow_variance() const;
 };
+
+/// How much of a fix `duration` [s] after the last one counts as evidence.
+double evidence_share(const Mixture& mixture, double duration);
+
+/// Of the k-th of the receivers that the hypotheses do not attend to.
+FixErrors errors_of_other(const std::vector<Hypothesis>& hypotheses, std::size_t k);
 
 /// How wide the odometry's constants may be off at the start.
 struct CloudSettings {
@@ -62,9 +85,6 @@ class HypothesisCloud {
   /// Weighs a fix; `sighting.level` is set here, equation (13), (14). Returns the logarithm of its
   /// probability density [1/m^2].
   double weigh(Sighting sighting);
-  /// How much of a fix `duration` [s] after the last one counts as evidence.
-  [[nodiscard]] double evidence_share(double duration) const;
-
   /// Weighs velocities among the hypotheses that believe them, equation (21).
   void weigh(const VelocitySighting& sighting);
 
@@ -73,22 +93,18 @@ class HypothesisCloud {
 
   [[nodiscard]] const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
   [[nodiscard]] const Mixture& mixture() const { return mixture_; }
+  [[nodiscard]] const ReceiverRoster& receivers() const { return receivers_; }
+  /// Of one of these receivers; none of another.
+  [[nodiscard]] FixErrors errors_of(std::size_t receiver) const;
 
  private:
-  /// How many hypotheses believe the velocities, and how many do not.
-  struct Kinds {
-    std::size_t believing = 0;
-    std::size_t doubting = 0;
-  };
   void spread(std::size_t count);
   void spread_about(const GnssFix& fix);
-  double weigh_by(const std::vector<Evidence>& evidence, double duration, bool standing);
+  void attend(const Sighting& sighting);
   void refresh();
   void resample();
   void resample(std::size_t count);
-  void draw_velocity_laws(bool near_start);
-  [[nodiscard]] Kinds kinds(std::size_t count) const;
-  void resample_by_kind(const Kinds& wanted);
+  void resample_by_kind(std::size_t count);
 
   CloudSettings settings_;
   std::uint64_t seed_;
@@ -96,7 +112,7 @@ class HypothesisCloud {
   std::uint32_t velocity_step_ = 0;  ///< 0 without a velocity
   std::vector<Hypothesis> hypotheses_;
   Mixture mixture_;
-  std::optional<double> level_;  ///< declared sigma that holds [m]
+  ReceiverRoster receivers_;
 };
 
 }  // namespace multipath_localization::multipath

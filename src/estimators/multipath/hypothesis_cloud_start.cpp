@@ -48,7 +48,7 @@ void HypothesisCloud::spread(std::size_t count) {
     RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
     Hypothesis& h = hypotheses_[i];
     h.law = draw_error_law(random);
-    h.level = level_.value_or(0.0);
+    h.level = receivers_.level.value_or(0.0);
     h.in_shadow = random.uniform() < kShadowAtStart;
     h.shadow_law = draw_shadow_law(h.law.open_sigma() * h.level, kLargestStartBias, random);
     h.shadow_law.size = log_uniform(kLeastStartBias, kLargestStartBias, random);
@@ -74,24 +74,27 @@ void HypothesisCloud::spread_about(const GnssFix& fix) {
 }
 
 void HypothesisCloud::start(const GnssFix& fix) {
-  level_ = mean_sigma(fix.covariance);
+  receivers_ = {fix.receiver, mean_sigma(fix.covariance), {}};
   spread(std::max(static_cast<std::size_t>(settings_.particles), kHeadings * kLawsPerHeading));
   spread_about(fix);
 }
 
 void HypothesisCloud::start(const GnssFix& fix, const HypothesisCloud& learnt) {
-  level_ = mean_sigma(fix.covariance);
+  receivers_ = learnt.receivers_;
+  receivers_.level = mean_sigma(fix.covariance);
   const auto count = static_cast<std::size_t>(settings_.particles);
   spread(count);
   for (std::size_t i = 0; i < count; ++i) {
+    const Hypothesis& teacher = learnt.hypotheses_[i * learnt.hypotheses_.size() / count];
     const bool as_learnt = (i / kHeadings) % 2 == 0;
-    if (as_learnt) hypotheses_[i].adopt(learnt.hypotheses_[i * learnt.hypotheses_.size() / count]);
+    if (as_learnt) hypotheses_[i].adopt(teacher);
+    for (const ReceiverErrors& errors : teacher.others.errors) add_receiver(hypotheses_[i], errors);
   }
   spread_about(fix);
 }
 
 void HypothesisCloud::start(const PosePrior& prior) {
-  level_.reset();
+  receivers_ = {};
   const double yaw_sigma = std::sqrt(prior.covariance(2, 2));
   const bool narrow = yaw_sigma < kNarrowHeading;
   const auto particles = static_cast<std::size_t>(settings_.particles);

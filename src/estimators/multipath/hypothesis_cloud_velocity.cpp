@@ -82,14 +82,13 @@ void append_drawn(const std::vector<Hypothesis>& from, bool believing, std::size
   }
 }
 
-}  // namespace
-
-void HypothesisCloud::draw_velocity_laws(bool near_start) {
-  ++velocity_step_;
-  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    Hypothesis& h = hypotheses_[i];
+/// Draws laws of velocities for the hypotheses that have none.
+void draw_velocity_laws(std::vector<Hypothesis>& hypotheses, bool near_start, std::uint64_t seed,
+                        std::uint32_t step) {
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    Hypothesis& h = hypotheses[i];
     if (h.velocity.drawn) continue;
-    RandomStream random(seed_ ^ kVelocitySeed, velocity_step_, static_cast<std::uint32_t>(i));
+    RandomStream random(seed ^ kVelocitySeed, step, static_cast<std::uint32_t>(i));
     h.velocity.drawn = true;
     draw_velocity_errors(h.velocity, random);
     h.velocity.believed = random.uniform() >= kDoubtingShare;
@@ -100,8 +99,34 @@ void HypothesisCloud::draw_velocity_laws(bool near_start) {
   }
 }
 
+/// How many hypotheses are to believe the velocities, and how many are not.
+struct Kinds {
+  std::size_t believing = 0;
+  std::size_t doubting = 0;
+};
+
+Kinds kinds_of(const std::vector<Hypothesis>& hypotheses, bool settled, std::size_t count) {
+  std::size_t doubting = 0;
+  double share = 0.0;
+  for (const Hypothesis& h : hypotheses) {
+    if (h.velocity.believed) continue;
+    ++doubting;
+    share += std::exp(h.log_weight);
+  }
+  if (doubting == hypotheses.size()) return {0, count};
+  if (!(share > 0.0)) return {count, 0};
+  const bool agreed = heading_variance_of_doubt(hypotheses) < kAgreedVariance;
+  const std::size_t by_weight = std::min(count - 1, part(share, count));
+  const std::size_t least = agreed ? part(kLeastDoubting, count) : std::min(doubting, kMostDoubting);
+  const std::size_t doubters = std::min(count - 1, std::max(by_weight, least));
+  // Those that do not know the heading yet come on top of the others that do.
+  return {count - (settled && !agreed ? by_weight : doubters), doubters};
+}
+
+}  // namespace
+
 void HypothesisCloud::weigh(const VelocitySighting& sighting) {
-  draw_velocity_laws(sighting.near_start);
+  draw_velocity_laws(hypotheses_, sighting.near_start, seed_, ++velocity_step_);
   ++velocity_step_;
   const double share = std::min(1.0, sighting.duration / kEvidenceTime);
   std::vector<std::optional<double>> log_density(hypotheses_.size());
@@ -118,26 +143,9 @@ void HypothesisCloud::weigh(const VelocitySighting& sighting) {
   resample();
 }
 
-HypothesisCloud::Kinds HypothesisCloud::kinds(std::size_t count) const {
-  std::size_t doubting = 0;
-  double share = 0.0;
-  for (const Hypothesis& h : hypotheses_) {
-    if (h.velocity.believed) continue;
-    ++doubting;
-    share += std::exp(h.log_weight);
-  }
-  if (doubting == hypotheses_.size()) return {0, count};
-  if (!(share > 0.0)) return {count, 0};
-  const bool agreed = heading_variance_of_doubt(hypotheses_) < kAgreedVariance;
+void HypothesisCloud::resample_by_kind(std::size_t count) {
   const bool settled = mixture_.covariance(2, 2) < kAgreedVariance;
-  const std::size_t by_weight = std::min(count - 1, part(share, count));
-  const std::size_t least = agreed ? part(kLeastDoubting, count) : std::min(doubting, kMostDoubting);
-  const std::size_t doubters = std::min(count - 1, std::max(by_weight, least));
-  // Those that do not know the heading yet come on top of the others that do.
-  return {count - (settled && !agreed ? by_weight : doubters), doubters};
-}
-
-void HypothesisCloud::resample_by_kind(const Kinds& wanted) {
+  const Kinds wanted = kinds_of(hypotheses_, settled, count);
   RandomStream random(seed_ ^ kVelocitySeed, velocity_step_ + step_, kResampling);
   std::vector<Hypothesis> chosen;
   chosen.reserve(wanted.believing + wanted.doubting);

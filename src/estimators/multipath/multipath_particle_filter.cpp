@@ -3,15 +3,16 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "estimators/multipath/alignment_monitor.hpp"
-#include "estimators/multipath/fix_block.hpp"
 #include "estimators/multipath/hypothesis_cloud.hpp"
+#include "estimators/multipath/prediction.hpp"
+#include "estimators/multipath/receiver_watch.hpp"
 #include "estimators/multipath/rival.hpp"
 #include "estimators/multipath/velocity_block.hpp"
 #include "estimators/multipath/wheel_watch.hpp"
 #include "multipath_localization/core/covariance.hpp"
-#include "multipath_localization/core/fix_check.hpp"
 #include "support/numbers.hpp"
 
 namespace multipath_localization {
@@ -19,19 +20,11 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kLongestSum = 1.0;  ///< odometry is linearised over at most this long [s]
-/// Fixes within this time are one, just below a receiver's second [s].
-constexpr double kBlock = 0.9;
-/// Without a fix for longer, wheels are judged without one; the slowest receivers in use send one in two
-/// seconds [s].
-constexpr double kOutage = 3.0;
-constexpr double kReacquisition = 5.0;  ///< a receiver that begins anew settles within this time [s]
-/// A receiver that fixes its ambiguities declares less than this from one fix to the next,
-constexpr double kFixed = 0.1;  // [m]
-constexpr double kFloat = 0.3;  ///< and more than that before [m]
 /// How soon odometry forgets a position that corrected fixes gave [s].
 constexpr double kCorrectedMemory = 60.0;
-constexpr double kBelieved = 0.9;       ///< probability of velocities that tell a heading at once
-constexpr double kShortestTime = 1e-3;  ///< between two fixes of one stamp [s]
+/// Velocities within this time are one, just below a receiver's second [s].
+constexpr double kVelocityBlock = 0.9;
+constexpr double kBelieved = 0.9;  ///< probability of velocities that tell a heading at once
 constexpr std::uint64_t kRivalSeed = 0x9E3779B97F4A7C15U;  ///< its draws are not those of the cloud
 constexpr double kLeastSigma = 1e-3;  ///< no receiver is better than that, whatever it declares [m]
 
@@ -52,12 +45,6 @@ GnssFix with_proper_covariance(GnssFix fix) {
 
 }  // namespace
 
-/// Pose of the base in map and covariance of x, y, yaw [m, rad].
-struct Prediction {
-  Pose2 pose;
-  Eigen::Matrix3d covariance;
-};
-
 /// All that is known since the start.
 struct MultipathParticleFilter::State {
   State(const MultipathParticleFilterParameters& parameters, std::uint64_t seed, bool confirmed)
@@ -68,9 +55,7 @@ struct MultipathParticleFilter::State {
         wheels(parameters.odometry_jump, parameters.odometry) {}
 
   /// The pose of now in that of when the hypotheses were last moved.
-  [[nodiscard]] Pose2 moved() const {
-    return {odometry.displacement().x(), odometry.displacement().y(), odometry.turn()};
-  }
+  [[nodiscard]] Pose2 moved() const { return multipath::moved(odometry); }
   Innovation take(const GnssVelocity& velocity) {
     Innovation result = refused(velocities.add(velocity).value_or(Reason::kAccepted));
     if (velocities_due()) weigh_velocities();
@@ -79,22 +64,36 @@ struct MultipathParticleFilter::State {
     return result;
   }
   /// Takes the fixes that wait along to where the base is now.
-  void carry_block() {
-    block.move(inverse(block_moved) * moved());
-    block_moved = moved();
+  void carry_blocks() {
+    const Pose2 step = inverse(blocks_moved) * moved();
+    for (auto& [number, receiver] : receivers) receiver.move(step);
+    blocks_moved = moved();
+  }
+  multipath::ReceiverWatch& receiver(std::size_t number) {
+    return receivers.try_emplace(number, last_weighed).first->second;
+  }
+  /// Spreads the hypotheses about a fix.
+  void start(const GnssFix& fix, double uncorrected_sigma) {
+    cloud.start(fix);
+    velocities.start(fix.antenna_in_base);
+    note_corrections(fix, kCorrectedMemory, uncorrected_sigma);
+    last_weighed = now;
+    for (auto& [number, receiver] : receivers) receiver.begin(now);
+    restart_odometry();
+    if (velocities_due()) weigh_velocities();
   }
   /// Moves the hypotheses on by the odometry so far.
   void flush() {
-    carry_block();
+    carry_blocks();
     cloud.propagate(odometry);
     rival.propagate(odometry);
     restart_odometry();
   }
   /// Where the mean of the hypotheses has got to, by how certain odometry.
-  [[nodiscard]] Prediction predicted() const;
+  [[nodiscard]] auto predicted() const { return multipath::predicted(cloud.mixture(), odometry); }
   /// In an outage the odometry alone can show that the wheels fail.
   void doubt_wheels() {
-    if (now - last_weighed <= kOutage) return;
+    if (now - last_weighed <= multipath::kOutage) return;
     const double begins = wheels.take_suspicion();
     if (begins <= 0.0 && cloud.mixture().wheel_fault <= 0.0) return;
     const double duration = odometry.duration();
@@ -103,9 +102,14 @@ struct MultipathParticleFilter::State {
   }
   void restart_odometry() {
     odometry.restart(errors_of(cloud.mixture().mean));
-    block_moved = Pose2{};
+    blocks_moved = Pose2{};
   }
-  void weigh(const MultipathParticleFilterParameters& parameters);
+  /// What is known of the fixes of each receiver.
+  void tell_receivers(PoseEstimate& estimate) const;
+  /// Weighs what waits of a receiver.
+  void weigh(multipath::ReceiverWatch& receiver, const MultipathParticleFilterParameters& parameters);
+  /// What the wheels did since the last fix of any receiver.
+  void judge_wheels(multipath::Sighting& sighting);
   void weigh_velocities();
   /// After that way since the last fixes were weighed [m].
   void judge_alignment(double way) {
@@ -115,7 +119,8 @@ struct MultipathParticleFilter::State {
   }
   /// Whether the velocities that wait are to be weighed now: at once while they tell the heading.
   [[nodiscard]] bool velocities_due() const {
-    return !cloud.empty() && !velocities.empty() && (velocities.age() >= kBlock || !alignment.aligned());
+    return !cloud.empty() && !velocities.empty() &&
+           (velocities.age() >= kVelocityBlock || !alignment.aligned());
   }
   /// A position is known as well as corrections make it, and for a while after they are gone.
   void note_corrections(const GnssFix& fix, double duration, double uncorrected_sigma) {
@@ -126,50 +131,62 @@ struct MultipathParticleFilter::State {
   multipath::HypothesisCloud cloud;
   multipath::Rival rival;
   multipath::AlignmentMonitor alignment;
-  multipath::OdometrySum odometry;  ///< since the hypotheses were last moved
-  multipath::FixBlock block;
+  multipath::OdometrySum odometry;                            ///< since the hypotheses were last moved
+  std::map<std::size_t, multipath::ReceiverWatch> receivers;  ///< by GnssFix::receiver
   multipath::VelocityBlock velocities;
   bool velocities_weighed = false;  ///< since the start
-  Pose2 block_moved;                ///< the part of `moved` that the block has been taken along
+  Pose2 blocks_moved;               ///< the part of `moved` that the fixes have been taken along
   multipath::WheelWatch wheels;
-  FixCheck fix_check;
+  bool stood = false;  ///< the wheels, before the fix that was weighed last
   double now = 0.0;
-  double last_weighed = 0.0;
-  double last_declared = 0.0;           ///< [m]
-  double reacquired = -kReacquisition;  ///< when fixes came back after an outage [s]
-  double common_variance = 0.0;         ///< of what all fixes are off by alike, an axis [m^2]
-  double fixes_in_block = 1.0;          ///< the last one: so much whiter is its mean than each
-  double counted_way = 0.0;             ///< of the wheels', by the alignment [m]
-  double speed = 0.0;                   ///< of the last increment, over ground [m/s]
+  double last_weighed = 0.0;     ///< a fix of any receiver
+  double common_variance = 0.0;  ///< of what all fixes are off by alike, an axis [m^2]
+  double counted_way = 0.0;      ///< of the wheels', by the alignment [m]
+  double speed = 0.0;            ///< of the last increment, over ground [m/s]
 };
 
-void MultipathParticleFilter::State::weigh(const MultipathParticleFilterParameters& parameters) {
-  multipath::Sighting sighting;
-  sighting.turns_by_gyro = odometry.turns_by_gyro();
+void MultipathParticleFilter::State::judge_wheels(multipath::Sighting& sighting) {
+  sighting.usual_speed = wheels.usual_speed();
+  sighting.standing = stood;
+  if (now == last_weighed) return;  // another receiver's fix of this instant
+  const double duration = sighting.unseen();
+  sighting.standing = stood = wheels.standing(duration);
+  wheels.look_back(duration, cloud.mixture().wheel_fault);
+  sighting.usual_speed = wheels.usual_speed();
+  sighting.fault_probability = wheels.fault_probability(duration);
+}
+
+void MultipathParticleFilter::State::weigh(multipath::ReceiverWatch& receiver,
+                                           const MultipathParticleFilterParameters& parameters) {
+  const bool turns_by_gyro = odometry.turns_by_gyro();
   if (!velocities.empty()) weigh_velocities();
   flush();
-  fixes_in_block = static_cast<double>(block.size());
-  sighting.fix = block.take(cloud.mixture().mean(multipath::kYaw));
-  sighting.duration = std::max(kShortestTime, now - last_weighed);
-  const double declared = mean_sigma(sighting.fix.covariance);
-  sighting.after_gap = sighting.duration > kOutage;
-  sighting.refixed = declared < kFixed && last_declared > kFloat;
-  last_declared = declared;
-  if (sighting.after_gap || sighting.refixed) reacquired = now;
-  sighting.reacquired = now - reacquired < kReacquisition;
-  sighting.standing = wheels.standing(sighting.duration);
+  multipath::Sighting sighting = receiver.take(now, cloud.mixture().mean(multipath::kYaw));
+  sighting.turns_by_gyro = turns_by_gyro;
+  sighting.between = sighting.duration - std::max(multipath::kShortestTime, now - last_weighed);
+  sighting.after_gap = sighting.unseen() > multipath::kOutage;
   const double way = wheels.way();
-  wheels.look_back(sighting.duration, cloud.mixture().wheel_fault);
-  sighting.usual_speed = wheels.usual_speed();
-  sighting.fault_probability = wheels.fault_probability(sighting.duration);
+  judge_wheels(sighting);
   sighting.largest_bias = parameters.largest_bias;
   sighting.shadow_entry_rate = 1.0 / parameters.time_between_shadows;
   rival.weigh(sighting, cloud.weigh(sighting), cloud);
-  note_corrections(sighting.fix, sighting.duration, parameters.uncorrected_sigma);
+  note_corrections(sighting.fix, sighting.unseen(), parameters.uncorrected_sigma);
   last_weighed = now;
   restart_odometry();
   judge_alignment(way);
   counted_way = 0.0;
+}
+
+void MultipathParticleFilter::State::tell_receivers(PoseEstimate& estimate) const {
+  const std::vector<std::size_t> known = cloud.receivers().known();
+  const multipath::FixErrors first = cloud.errors_of(known.empty() ? 0 : known.front());
+  estimate.bias = first.bias;
+  estimate.bias_covariance = first.bias_covariance;
+  if (known.size() < 2) return;
+  for (const std::size_t receiver : known) {
+    const multipath::FixErrors errors = cloud.errors_of(receiver);
+    estimate.receivers.push_back({receiver, errors.shadow, errors.bias});
+  }
 }
 
 void MultipathParticleFilter::State::weigh_velocities() {
@@ -182,18 +199,6 @@ void MultipathParticleFilter::State::weigh_velocities() {
   velocities_weighed = true;
   restart_odometry();
   judge_alignment(wheels.way());
-}
-
-Prediction MultipathParticleFilter::State::predicted() const {
-  const multipath::Mixture& mixture = cloud.mixture();
-  const Pose2 then = multipath::pose_of(mixture.mean);
-  const Eigen::Vector2d way = rotation(then.yaw) * odometry.displacement();
-  Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
-  F.topRightCorner<2, 1>() << -way.y(), way.x();
-  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
-  turned.topLeftCorner<2, 2>() = rotation(then.yaw);
-  const Eigen::Matrix3d noise = odometry.noise(mixture.odometry_noise);
-  return {then * moved(), F * mixture.covariance * F.transpose() + turned * noise * turned.transpose()};
 }
 
 MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterParameters& parameters,
@@ -234,28 +239,24 @@ Innovation MultipathParticleFilter::update(const Measurement& z) {
   if (const auto* velocity = std::get_if<GnssVelocity>(&z)) return state_->take(*velocity);
   const auto* declared = std::get_if<GnssFix>(&z);
   if (declared == nullptr) return refused(Reason::kUnused);
-  if (const auto reason = state_->fix_check.defect(*declared)) return refused(*reason);
+  multipath::ReceiverWatch& receiver = state_->receiver(declared->receiver);
+  if (const auto reason = receiver.defect(*declared)) return refused(*reason);
   const GnssFix fix = with_proper_covariance(*declared);
   Innovation result;
   result.reason = Reason::kAccepted;
   if (state_->cloud.empty()) {
-    state_->cloud.start(fix);
-    state_->velocities.start(fix.antenna_in_base);
-    state_->note_corrections(fix, kCorrectedMemory, parameters_.uncorrected_sigma);
-    state_->last_weighed = state_->now;
-    state_->restart_odometry();
-    if (state_->velocities_due()) state_->weigh_velocities();
+    state_->start(fix, parameters_.uncorrected_sigma);
     return result;
   }
-  const multipath::Mixture& mixture = state_->cloud.mixture();
-  const Prediction predicted = state_->predicted();
-  result.innovation = fix.position - predicted.pose * fix.antenna_in_base - mixture.bias;
+  const multipath::FixErrors errors = state_->cloud.errors_of(fix.receiver);
+  const multipath::Prediction predicted = state_->predicted();
+  result.innovation = fix.position - predicted.pose * fix.antenna_in_base - errors.bias;
   result.covariance = predicted.covariance.topLeftCorner<2, 2>() +
-                      state_->fixes_in_block * mixture.white_variance * Eigen::Matrix2d::Identity();
+                      receiver.fixes_in_block() * errors.white_variance * Eigen::Matrix2d::Identity();
   result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
-  state_->carry_block();
-  state_->block.add(fix);
-  if (state_->now - state_->last_weighed >= kBlock) state_->weigh(parameters_);
+  state_->carry_blocks();
+  receiver.add(fix);
+  if (receiver.due(state_->now)) state_->weigh(receiver, parameters_);
   return result;
 }
 
@@ -264,7 +265,7 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   result.stamp = state_->now;
   if (state_->cloud.empty()) return result;
   const multipath::Mixture& mixture = state_->cloud.mixture();
-  const Prediction predicted = state_->predicted();
+  const multipath::Prediction predicted = state_->predicted();
   result.valid = true;
   result.aligned = state_->alignment.aligned();
   result.way_to_alignment = state_->alignment.way_left();
@@ -274,15 +275,14 @@ PoseEstimate MultipathParticleFilter::estimate() const {
       rotation(result.pose.yaw).col(0) * parameters_.stamp_sigma * state_->speed;
   // The slow error may be one that stays for the whole drive, which nobody sees.
   result.covariance.topLeftCorner<2, 2>() +=
-      (square(parameters_.position_sigma_floor) + mixture.slow_variance + state_->common_variance) *
+      (square(parameters_.position_sigma_floor) + mixture.least_slow_variance() + state_->common_variance) *
           Eigen::Matrix2d::Identity() +
       between_stamps * between_stamps.transpose();
   result.position_covariance_overall = result.covariance.topLeftCorner<2, 2>();
   result.dominance = mixture.agreement;
-  result.shadow_probability = mixture.shadow;
+  result.shadow_probability = mixture.least_shadow();
   result.wheel_fault_probability = mixture.wheel_fault;
-  result.bias = mixture.bias;
-  result.bias_covariance = mixture.bias_covariance;
+  state_->tell_receivers(result);
   result.effective_sample_size = mixture.effective_size;
   return result;
 }

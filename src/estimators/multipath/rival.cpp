@@ -42,19 +42,20 @@ void Rival::start(const GnssFix& fix, double log_density, const HypothesisCloud&
 }
 
 bool Rival::pointless(const HypothesisCloud& cloud) const {
-  const bool beside_a_shadow = age_ > kYouth && cloud_.mixture().shadow > kDoubtful;
-  return cloud.mixture().shadow < kDoubtful || beside_a_shadow || age_ > kPatience;
+  const bool beside_a_shadow = age_ > kYouth && cloud_.mixture().least_shadow() > kDoubtful;
+  return cloud.mixture().least_shadow() < kDoubtful || beside_a_shadow || age_ > kPatience;
 }
 
 void Rival::weigh(const Sighting& sighting, double log_density, HypothesisCloud& cloud) {
   if (cloud_.empty()) {
-    if (!sighting.standing && cloud.mixture().shadow > kDoubtful) start(sighting.fix, log_density, cloud);
+    if (!sighting.standing && cloud.mixture().least_shadow() > kDoubtful)
+      start(sighting.fix, log_density, cloud);
     return;
   }
   const double log_own_density = cloud_.weigh(sighting);
   if (!sighting.standing) {
-    age_ += sighting.duration;
-    log_odds_ += cloud.evidence_share(sighting.duration) * (log_own_density - log_density);
+    age_ += sighting.unseen();
+    log_odds_ += evidence_share(cloud.mixture(), sighting.duration) * (log_own_density - log_density);
   }
   const double share = 1.0 / (1.0 + std::exp(-log_odds_));
   const bool worth_taking = share > kWorthTaking;

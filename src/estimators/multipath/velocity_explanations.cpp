@@ -168,6 +168,12 @@ void VelocityExplainer::correct(const Vector2d& error, const Vector2d& by_yaw, c
       h_.covariance.col(kYaw) * by_yaw.transpose() + h_.covariance.col(kScale) * by_scale.transpose();
   const Matrix2d S = by_yaw * PH.row(kYaw) + by_scale * PH.row(kScale) + noise;
   const Eigen::Matrix<double, kStateSize, 2> K = PH * S.inverse();
+  if (!h_.others.errors.empty()) {
+    Eigen::Matrix<double, 2, kStateSize> H = Eigen::Matrix<double, 2, kStateSize>::Zero();
+    H.col(kYaw) = by_yaw;
+    H.col(kScale) = by_scale;
+    h_.others.correct(H, K, S, error);
+  }
   h_.mean += K * error;
   h_.mean(kYaw) = wrap_angle(h_.mean(kYaw));
   h_.covariance -= K * PH.transpose();

@@ -3,6 +3,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Vector3Stamped.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "ros/map/datum.hpp"
@@ -23,7 +24,12 @@ void BagCollector::take(const rosbag::MessageInstance& message) {
   }
   if (topic == topics_.imu) add(read<sensor_msgs::Imu>(message));
   if (topic == topics_.velocity) take_velocity(message);
-  if (topic == topics_.fix) add(read<sensor_msgs::NavSatFix>(message));
+  if (topic == topics_.fix) add(GnssMessage(ReceiverFix(read<sensor_msgs::NavSatFix>(message))));
+  const auto more = std::find(topics_.more_fixes.begin(), topics_.more_fixes.end(), topic);
+  if (more != topics_.more_fixes.end()) {
+    const auto receiver = static_cast<std::size_t>(more - topics_.more_fixes.begin()) + 1;
+    add(GnssMessage(ReceiverFix(read<sensor_msgs::NavSatFix>(message), receiver)));
+  }
   if (topic == topics_.epoch) add(read<GnssEpoch>(message));
   if (topic == topics_.left) add(FixPairing::Side::kLeft, read<sensor_msgs::NavSatFix>(message));
   if (topic == topics_.right) add(FixPairing::Side::kRight, read<sensor_msgs::NavSatFix>(message));

@@ -52,7 +52,8 @@ std::vector<Sighting> sightings(BagCollector& bag) {
   std::size_t best = kGnssKinds.size();
   for (const ReceivedMessage& received : bag.received()) best = std::min(best, received.message.index());
   for (const ReceivedMessage& received : bag.received()) {
-    if (received.message.index() != best) continue;
+    const auto* fix = std::get_if<ReceiverFix>(&received.message);
+    if (received.message.index() != best || (fix != nullptr && fix->receiver > 0)) continue;
     const std::optional<Geodetic> place = place_of(received.message, {});
     const std_msgs::Header& header = header_of(received.message);
     const Eigen::Vector2d antenna =

@@ -13,6 +13,7 @@
 
 #include "multipath_localization/GnssEpoch.h"
 #include "ros/messages/conversions.hpp"
+#include "ros/messages/gnss_message.hpp"
 #include "support/csv.hpp"
 
 namespace multipath_localization {
@@ -99,6 +100,18 @@ class TopicList {
   std::map<std::string, std::string> types_;
 };
 
+/// Those asked for or, where none are, those of the default names as far as they go on.
+std::vector<std::string> more_fixes(const TopicList& list, const std::vector<std::string>& asked) {
+  std::vector<std::string> found;
+  for (const std::string& topic : asked) found.push_back(list.named(topic, "", {kFix}));
+  for (std::size_t k = 1; asked.empty() && k < kMostReceivers; ++k) {
+    const std::string topic = list.named("", fix_topic(k), {kFix});
+    if (topic.empty()) break;
+    found.push_back(topic);
+  }
+  return found;
+}
+
 }  // namespace
 
 BagTopics find_topics(const rosbag::Bag& bag, const std::string& file, const BagTopics& asked) {
@@ -108,7 +121,10 @@ BagTopics find_topics(const rosbag::Bag& bag, const std::string& file, const Bag
   found.shadow = list.named(asked.shadow, found.truth + "/bias", {"geometry_msgs/Vector3Stamped"});
   found.left = list.named(asked.left, "gps/left/fix", {kFix});
   found.right = list.named(asked.right, "gps/right/fix", {kFix});
-  found.fix = list.named_or_only(asked.fix, "gps/fix", kFix, {found.left, found.right});
+  found.more_fixes = more_fixes(list, asked.more_fixes);
+  std::vector<std::string> taken = found.more_fixes;
+  taken.insert(taken.end(), {found.left, found.right});
+  found.fix = list.named_or_only(asked.fix, "gps/fix", kFix, taken);
   found.epoch = list.named_or_only(asked.epoch, "gnss/epoch", kEpoch);
   found.imu = list.named_or_single(asked.imu, "imu/data", {kImu}, [](const std::string&) { return true; });
   found.velocity =

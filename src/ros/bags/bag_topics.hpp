@@ -3,6 +3,7 @@
 #include <rosbag/bag.h>
 
 #include <string>
+#include <vector>
 
 namespace multipath_localization {
 
@@ -18,6 +19,7 @@ struct BagTopics {
   std::string imu;       ///< Imu: `imu/data`, or the only one of that type, or none
   std::string velocity;  ///< TwistWithCovarianceStamped or TwistStamped: `gps/velocity`, or the only one that
                          ///< is named as drivers of receivers name it, or none
+  std::vector<std::string> more_fixes;  ///< NavSatFix of further receivers: `gps_2/fix`, ..., or none
 };
 
 /// The names of a bag's topics as they stand in it, empty where there is none. Throws DriveError, naming

@@ -100,7 +100,7 @@ FixReport to_report(const GnssMessage& message) {
   FixReport report;
   report.header = header_of(message);
   report.header.frame_id = shown(report.header.frame_id);
-  report.kind = kGnssKinds[message.index()];
+  report.kind = name_of(message);
   report.declared_sigma = declared_sigma(message);
   report.observed_sigma = report.used_sigma = kNan;
   report.satellites = static_cast<std::uint32_t>(satellites_of(message));

@@ -22,24 +22,36 @@ GnssInputs::GnssInputs(ros::NodeHandle node, const GnssParameters& parameters, c
     : delay_(parameters.delay),
       pairing_(parameters.pair_tolerance),
       take_(std::move(take)),
-      give_up_(std::move(give_up)),
-      monitors_{
-          InputMonitor("fix", {node.subscribe("gps/fix", kQueue, &GnssInputs::on_fix, this, at_once())},
-                       used[kFixKind]),
-          InputMonitor("dual",
-                       {node.subscribe("gps/left/fix", kQueue, &GnssInputs::on_left, this, at_once()),
-                        node.subscribe("gps/right/fix", kQueue, &GnssInputs::on_right, this, at_once())},
-                       used[kDualKind]),
-          InputMonitor("epoch",
-                       {node.subscribe("gnss/epoch", kQueue, &GnssInputs::on_epoch, this, at_once())},
-                       used[kEpochKind]),
-          InputMonitor("velocity",
-                       {node.subscribe("gps/velocity", kQueue, &GnssInputs::on_velocity, this, at_once())},
-                       used[kVelocityKind])} {}
+      give_up_(std::move(give_up)) {
+  const auto add = [&](const std::string& name, std::size_t kind, std::vector<ros::Subscriber> subscribers,
+                       std::size_t receiver = 0) {
+    inputs_.push_back({name, kind, receiver, InputMonitor(name, std::move(subscribers), used[kind])});
+  };
+  for (std::size_t receiver = 0; receiver < kMostReceivers; ++receiver) {
+    add(fix_name(receiver), kFixKind, {subscribe_fix(node, receiver)}, receiver);
+  }
+  add("dual", kDualKind,
+      {node.subscribe("gps/left/fix", kQueue, &GnssInputs::on_left, this, at_once()),
+       node.subscribe("gps/right/fix", kQueue, &GnssInputs::on_right, this, at_once())});
+  add("epoch", kEpochKind, {node.subscribe("gnss/epoch", kQueue, &GnssInputs::on_epoch, this, at_once())});
+  add("velocity", kVelocityKind,
+      {node.subscribe("gps/velocity", kQueue, &GnssInputs::on_velocity, this, at_once())});
+}
 
-void GnssInputs::on_fix(const sensor_msgs::NavSatFix::ConstPtr& message) {
-  of(kFixKind).arrived();
-  take_(stamped_earlier(*message, delay_));
+ros::Subscriber GnssInputs::subscribe_fix(ros::NodeHandle& node, std::size_t receiver) {
+  return node.subscribe<sensor_msgs::NavSatFix>(
+      fix_topic(receiver), kQueue,
+      [this, receiver](const sensor_msgs::NavSatFix::ConstPtr& message) {
+        of(fix_name(receiver)).arrived();
+        take_(ReceiverFix(stamped_earlier(*message, delay_), receiver));
+      },
+      ros::VoidConstPtr(), at_once());
+}
+
+InputMonitor& GnssInputs::of(std::string_view name) {
+  return std::find_if(inputs_.begin(), inputs_.end(),
+                      [&](const GnssInput& input) { return input.name == name; })
+      ->monitor;
 }
 
 void GnssInputs::on_left(const sensor_msgs::NavSatFix::ConstPtr& message) {
@@ -51,13 +63,13 @@ void GnssInputs::on_right(const sensor_msgs::NavSatFix::ConstPtr& message) {
 }
 
 void GnssInputs::on_epoch(const GnssEpoch::ConstPtr& message) {
-  of(kEpochKind).arrived();
+  of("epoch").arrived();
   take_(stamped_earlier(*message, delay_));
 }
 
 void GnssInputs::on_velocity(const topic_tools::ShapeShifter::ConstPtr& message) {
   if (const auto velocity = velocity_of(*message)) {
-    of(kVelocityKind).arrived();
+    of("velocity").arrived();
     take_(stamped_earlier(*velocity, delay_));
   } else {
     ROS_WARN_THROTTLE(kTellEvery, "gps/velocity is a %s: neither TwistWithCovarianceStamped nor TwistStamped",
@@ -66,7 +78,7 @@ void GnssInputs::on_velocity(const topic_tools::ShapeShifter::ConstPtr& message)
 }
 
 void GnssInputs::add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix) {
-  of(kDualKind).arrived();
+  of("dual").arrived();
   const FixPairing::Outcome outcome = pairing_.add(side, stamped_earlier(fix, delay_));
   for (const sensor_msgs::NavSatFix& unpaired : outcome.unpaired) give_up_(unpaired);
   if (outcome.pair) take_(*outcome.pair);
@@ -78,31 +90,32 @@ void GnssInputs::clear() {
 
 std::string GnssInputs::described() const {
   std::string text;
-  for (const InputMonitor& monitor : monitors_) {
-    if (monitor.awaited() && &monitor != &of(kVelocityKind))
-      text += (text.empty() ? "" : " or ") + monitor.described();
+  for (const GnssInput& input : inputs_) {
+    if (input.counts() && input.tells_position()) {
+      text += (text.empty() ? "" : " or ") + input.monitor.described();
+    }
   }
   return text;
 }
 
 bool GnssInputs::silent(double bound) const {
-  return std::all_of(monitors_.begin(), monitors_.end(), [&](const InputMonitor& monitor) {
-    return !monitor.awaited() || &monitor == &of(kVelocityKind) || monitor.silent(bound);
+  return std::all_of(inputs_.begin(), inputs_.end(), [&](const GnssInput& input) {
+    return !input.counts() || !input.tells_position() || input.monitor.silent(bound);
   });
 }
 
 void GnssInputs::tell_new() {
-  for (std::size_t kind = 0; kind < monitors_.size(); ++kind) {
-    if (told_[kind] || monitors_[kind].tally().of(Reason::kAccepted) < kEnoughToTell) continue;
-    told_[kind] = true;
-    ROS_INFO("%s: used, %.1f Hz", monitors_[kind].described().c_str(), monitors_[kind].frequency());
+  for (const GnssInput& input : inputs_) {
+    if (input.monitor.tally().of(Reason::kAccepted) < kEnoughToTell || !told_.insert(input.name).second)
+      continue;
+    ROS_INFO("%s: used, %.1f Hz", input.monitor.described().c_str(), input.monitor.frequency());
   }
 }
 
 std::vector<std::string> GnssInputs::sums() const {
   std::vector<std::string> all;
-  for (const InputMonitor& monitor : monitors_) {
-    if (const std::string sum = monitor.sum(); !sum.empty()) all.push_back(sum);
+  for (const GnssInput& input : inputs_) {
+    if (const std::string sum = input.monitor.sum(); !sum.empty()) all.push_back(sum);
   }
   return all;
 }

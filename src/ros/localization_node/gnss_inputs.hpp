@@ -3,9 +3,10 @@
 #include <ros/node_handle.h>
 #include <topic_tools/shape_shifter.h>
 
-#include <array>
 #include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ros/inputs/fix_pairing.hpp"
@@ -14,8 +15,20 @@
 
 namespace multipath_localization {
 
-/// Subscribes to `gps/fix`, `gps/left/fix` with `gps/right/fix`, `gnss/epoch`, and `gps/velocity` of either
-/// of its types, and hands on what comes.
+/// One input of GNSS.
+struct GnssInput {
+  std::string name;          ///< of its messages: name_of
+  std::size_t kind = 0;      ///< in Measurement
+  std::size_t receiver = 0;  ///< of fixes, whose
+  InputMonitor monitor;
+
+  /// Whether it belongs to what is waited for: a further receiver only once it has been heard.
+  [[nodiscard]] bool counts() const { return monitor.awaited() && (receiver == 0 || monitor.seen()); }
+  [[nodiscard]] bool tells_position() const { return kind != kVelocityKind; }
+};
+
+/// Subscribes to `gps/fix`, `gps_2/fix`, ... of further receivers, `gps/left/fix` with `gps/right/fix`,
+/// `gnss/epoch`, and `gps/velocity` of either of its types, and hands on what comes.
 class GnssInputs {
  public:
   using Take = std::function<void(const GnssMessage&)>;
@@ -29,8 +42,9 @@ class GnssInputs {
   /// Gives up what waits for its other half.
   void clear();
 
-  [[nodiscard]] InputMonitor& of(std::size_t kind) { return monitors_[kind]; }
-  [[nodiscard]] const InputMonitor& of(std::size_t kind) const { return monitors_[kind]; }
+  /// One of them, by its name.
+  [[nodiscard]] InputMonitor& of(std::string_view name);
+  [[nodiscard]] const std::vector<GnssInput>& all() const { return inputs_; }
 
   /// Those awaited that tell a position, in words: "fix on ... or epoch on ...".
   [[nodiscard]] std::string described() const;
@@ -42,19 +56,20 @@ class GnssInputs {
   [[nodiscard]] std::vector<std::string> sums() const;
 
  private:
-  void on_fix(const sensor_msgs::NavSatFix::ConstPtr& message);
   void on_left(const sensor_msgs::NavSatFix::ConstPtr& message);
   void on_right(const sensor_msgs::NavSatFix::ConstPtr& message);
   void on_epoch(const GnssEpoch::ConstPtr& message);
   void on_velocity(const topic_tools::ShapeShifter::ConstPtr& message);
   void add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix);
 
+  ros::Subscriber subscribe_fix(ros::NodeHandle& node, std::size_t receiver);
+
   double delay_;
   FixPairing pairing_;
   Take take_;
   GiveUp give_up_;
-  std::array<InputMonitor, kGnssKinds.size()> monitors_;
-  UsedKinds told_{};
+  std::vector<GnssInput> inputs_;
+  std::set<std::string> told_;  ///< names of those that the console knows
 };
 
 }  // namespace multipath_localization

@@ -27,21 +27,22 @@ void GnssPipeline::on_message(const GnssMessage& message) {
     return refuse(message, Reason::kOverload);
   }
   if (parts_.odometry.last()) return use(message);
-  const auto earlier = early_.find(message.index());
+  const std::string name = name_of(message);
+  const auto earlier = early_.find(name);
   if (earlier != early_.end()) refuse(earlier->second, Reason::kNotStarted);
-  early_.insert_or_assign(message.index(), message);
+  early_.insert_or_assign(name, message);
 }
 
 void GnssPipeline::on_unpaired(const sensor_msgs::NavSatFix& fix) {
   if (!parts_.enabled) return;
-  FixReport report = to_report(fix);
+  FixReport report = to_report(ReceiverFix(fix));
   report.kind = kGnssKinds[kDualKind];
   const Reason defect = check(fix, parts_.parameters.gnss.fix);
   publish(reports_.numbered(report), refused(defect == Reason::kAccepted ? Reason::kUnpaired : defect));
 }
 
 void GnssPipeline::use_early() {
-  for (const auto& [kind, early] : std::exchange(early_, {})) use(early);
+  for (const auto& [name, early] : std::exchange(early_, {})) use(early);
 }
 
 void GnssPipeline::use(const GnssMessage& message) {
@@ -52,7 +53,7 @@ void GnssPipeline::use(const GnssMessage& message) {
 }
 
 void GnssPipeline::refuse(const GnssMessage& message, Reason reason, const std::string& detail) {
-  const auto report = reports_.close(kGnssKinds[message.index()], header_of(message).stamp.toSec());
+  const auto report = reports_.close(name_of(message), header_of(message).stamp.toSec());
   if (report) publish(*report, refused(reason), detail);
 }
 
@@ -108,7 +109,7 @@ std::optional<Eigen::Vector2d> GnssPipeline::antenna_in_base(const std::string& 
 
 void GnssPipeline::publish_done() {
   for (const MeasurementReport& done : parts_.localizer.take_reports()) {
-    std::optional<FixReport> report = reports_.close(kGnssKinds[done.measurement.index()], done.stamp);
+    std::optional<FixReport> report = reports_.close(name_of(done.measurement), done.stamp);
     if (!report) continue;
     report->usable_satellites = static_cast<std::uint32_t>(satellites_of(done.measurement));
     if (done.observed_sigma) report->observed_sigma = *done.observed_sigma;
@@ -119,12 +120,10 @@ void GnssPipeline::publish_done() {
 }
 
 void GnssPipeline::publish(FixReport report, const Innovation& innovation, const std::string& detail) {
-  const auto* const name = std::find(kGnssKinds.begin(), kGnssKinds.end(), report.kind);
-  const auto kind = static_cast<std::size_t>(name - kGnssKinds.begin());
   report = concluded(report, innovation, parts_.odometry.stamp().toSec());
-  InputMonitor& input = inputs_.of(kind);
+  InputMonitor& input = inputs_.of(report.kind);
   input.count(innovation.reason, detail);
-  parts_.diagnostics.add(report, kind);
+  parts_.diagnostics.add(report);
   if (const std::string why = input.complaint(); !why.empty()) ROS_WARN("%s", why.c_str());
   parts_.outputs.publish(report);
 }

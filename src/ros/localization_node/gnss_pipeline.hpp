@@ -75,7 +75,7 @@ class GnssPipeline {
   Hooks hooks_;
   UsedKinds used_;
   ReportLedger reports_;
-  std::map<std::size_t, GnssMessage> early_;  ///< by kind, the last that came before any odometry
+  std::map<std::string, GnssMessage> early_;  ///< by name, the last that came before any odometry
   std::vector<GnssMessage> unplaced_;         ///< that wait for tf to place their antennas
   AntennaPlacement antennas_;
   GnssInputs inputs_;

@@ -22,6 +22,31 @@ void summarise_input(diagnostic_updater::DiagnosticStatusWrapper& status, const 
   }
 }
 
+void tell(const FixReport& last, diagnostic_updater::DiagnosticStatusWrapper& status) {
+  if (last.sequence == 0) return;
+  status.add("last reason", last.reason);
+  status.add("age [s]", last.age);
+  if (last.satellites > 0) {
+    status.add("satellites", last.satellites);
+    status.add("usable satellites", last.usable_satellites);
+  } else {
+    status.add("declared sigma [m]", last.declared_sigma);
+    status.add("observed sigma [m]", last.observed_sigma);
+    status.add("used sigma [m]", last.used_sigma);
+  }
+  status.add("predicted sigma of innovation [m]", last.predicted_sigma);
+}
+
+/// What of several receivers one is held to be off by.
+void tell_receiver(const PoseEstimate& estimate, std::size_t receiver,
+                   diagnostic_updater::DiagnosticStatusWrapper& status) {
+  for (const ReceiverEstimate& known : estimate.receivers) {
+    if (known.receiver != receiver) continue;
+    status.add("bias [m]", known.bias.norm());
+    status.add("shadow probability", known.shadow_probability);
+  }
+}
+
 unsigned char level_of(Trust trust) {
   switch (trust) {
     case Trust::kGood:
@@ -44,14 +69,11 @@ LocalizationDiagnostics::LocalizationDiagnostics(const LocalizationInputs& input
 }
 
 void LocalizationDiagnostics::report() {
-  for (std::size_t kind = 0; kind < kGnssKinds.size(); ++kind) {
-    const InputMonitor& input = inputs_.gnss.of(kind);
-    if (figures_[kind].shown || (!input.awaited() && !input.seen())) continue;
-    figures_[kind].shown = true;
-    updater_.add(std::string(kGnssKinds[kind]), [this, kind](Status& status) { report_gnss(status, kind); });
+  for (const GnssInput& input : inputs_.gnss.all()) {
+    if ((!input.counts() && !input.monitor.seen()) || !shown_.insert(input.name).second) continue;
+    updater_.add(input.name, [this, &input](Status& status) { report_gnss(status, input); });
   }
-  if (!gyro_shown_ && inputs_.gyro.monitor().seen()) {
-    gyro_shown_ = true;
+  if (inputs_.gyro.monitor().seen() && shown_.insert("gyro").second) {
     updater_.add("gyro", this, &LocalizationDiagnostics::report_gyro);
   }
   updater_.force_update();
@@ -65,39 +87,26 @@ bool LocalizationDiagnostics::set_antenna_frame(const std::string& frame, bool k
   return false;
 }
 
-void LocalizationDiagnostics::Figures::tell(Status& status) const {
-  if (last.sequence == 0) return;
-  status.add("last reason", last.reason);
-  status.add("age [s]", last.age);
-  if (last.satellites > 0) {
-    status.add("satellites", last.satellites);
-    status.add("usable satellites", last.usable_satellites);
-  } else {
-    status.add("declared sigma [m]", last.declared_sigma);
-    status.add("observed sigma [m]", last.observed_sigma);
-    status.add("used sigma [m]", last.used_sigma);
-  }
-  status.add("predicted sigma of innovation [m]", last.predicted_sigma);
-}
-
-void LocalizationDiagnostics::report_gnss(Status& status, std::size_t kind) {
-  const InputMonitor& input = inputs_.gnss.of(kind);
-  summarise_input(status, input);
-  const std::optional<FrozenReceiver>& frozen = localizer_.frozen();
-  if (kind == kFixKind && frozen && !input.silent(kLongSilence)) {
+void LocalizationDiagnostics::report_gnss(Status& status, const GnssInput& input) {
+  const InputMonitor& monitor = input.monitor;
+  summarise_input(status, monitor);
+  const std::optional<FrozenReceiver> frozen = localizer_.frozen(input.receiver);
+  if (input.kind == kFixKind && frozen && !monitor.silent(kLongSilence)) {
     status.summaryf(DiagnosticStatus::ERROR,
                     "receiver frozen %.0f s, the robot has driven %.0f m meanwhile: restart its driver",
                     frozen->duration, frozen->driven);
   }
-  if (!input.awaited()) {
+  const FixReport& last = figures_[input.name];
+  if (!monitor.awaited()) {
     status.summary(DiagnosticStatus::OK, parameters_.estimator + " has no use for it");
-  } else if (!input.seen() && !inputs_.gnss.silent(kLongSilence)) {
+  } else if (!monitor.seen() && !inputs_.gnss.silent(kLongSilence)) {
     status.summary(DiagnosticStatus::OK, "does not come and is not needed");
-  } else if (const std::string sigmas = sigmas_told(figures_[kind].last);
+  } else if (const std::string sigmas = sigmas_told(last);
              status.level == DiagnosticStatus::OK && !sigmas.empty()) {
     status.summary(DiagnosticStatus::OK, status.message + ": " + sigmas);
   }
-  figures_[kind].tell(status);
+  tell(last, status);
+  if (input.kind == kFixKind) tell_receiver(localizer_.estimate(), input.receiver, status);
 }
 
 void LocalizationDiagnostics::report_odometry(Status& status) {

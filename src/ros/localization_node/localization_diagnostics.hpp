@@ -3,7 +3,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <set>
 #include <string>
 
@@ -25,7 +25,7 @@ struct LocalizationInputs {
 };
 
 /// Statuses on /diagnostics, each one sentence and its figures: odometry, filter, tf, once there is one the
-/// gyro, and for each kind of GnssMessage that the estimator uses or that is published one of its name.
+/// gyro, and for each input of GNSS that the estimator uses or that is published one of its name.
 class LocalizationDiagnostics {
  public:
   /// Looks at its arguments whenever it reports; they have to outlive it.
@@ -35,7 +35,7 @@ class LocalizationDiagnostics {
   /// Publishes all. To be called at a steady rate.
   void report();
 
-  void add(const FixReport& report, std::size_t kind) { figures_[kind].add(report); }
+  void add(const FixReport& report) { figures_[report.kind] = report; }
   void add_update_time(double seconds) { slowest_update_ = std::max(slowest_update_, seconds); }
   void add_poses(unsigned number) { poses_ += number; }
 
@@ -46,17 +46,7 @@ class LocalizationDiagnostics {
 
  private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
-  /// What the reports on one kind of measurement say.
-  struct Figures {
-    void add(const FixReport& report) { last = report; }
-    /// Adds them to a status.
-    void tell(Status& status) const;
-
-    bool shown = false;
-    FixReport last;
-  };
-
-  void report_gnss(Status& status, std::size_t kind);
+  void report_gnss(Status& status, const GnssInput& input);
   void report_odometry(Status& status);
   void report_gyro(Status& status);
   void report_filter(Status& status);
@@ -67,8 +57,8 @@ class LocalizationDiagnostics {
   const TfWatch& tf_;
   Backlog& backlog_;
   const LocalizationParameters& parameters_;
-  std::array<Figures, kGnssKinds.size()> figures_;
-  bool gyro_shown_ = false;
+  std::map<std::string, FixReport> figures_;  ///< the last one of each input
+  std::set<std::string> shown_;               ///< inputs that have a status
   unsigned poses_ = 0;
   double slowest_update_ = 0.0;
   std::string note_;

@@ -1,12 +1,14 @@
 #include "ros/messages/drive_messages.hpp"
 
 #include <algorithm>
-#include <array>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "ros/messages/conversions.hpp"
 #include "ros/messages/earth_frame.hpp"
 #include "ros/messages/epoch_conversions.hpp"
+#include "ros/messages/gnss_message.hpp"
 #include "ros/messages/imu_conversions.hpp"
 #include "ros/messages/velocity_conversions.hpp"
 
@@ -33,9 +35,9 @@ tf2_msgs::TFMessage DriveMessages::static_transforms(const Drive& drive) const {
   message.transforms.front().header = header(drive.start(), kEarthFrame);
   message.transforms.front().child_frame_id = frames_.map_frame;
   message.transforms.front().transform = map_in_earth(map_);
-  std::array<bool, std::variant_size_v<Measurement>> placed{};
+  std::set<std::string> placed;
   for (const RecordedMeasurement& recorded : drive.measurements) {
-    if (std::exchange(placed[recorded.measurement.index()], true)) continue;
+    if (!placed.insert(name_of(recorded.measurement)).second) continue;
     for (geometry_msgs::TransformStamped& antenna : antennas_of(recorded.measurement)) {
       antenna.header = header(drive.start(), frames_.base_link_frame);
       message.transforms.push_back(antenna);
@@ -52,7 +54,9 @@ std::vector<geometry_msgs::TransformStamped> DriveMessages::antennas_of(
     antennas.back().child_frame_id = frame;
     antennas.back().transform = to_transform(Pose2{in_base.x(), in_base.y(), 0.0});
   };
-  if (const auto* fix = std::get_if<GnssFix>(&measurement)) place(frames_.gps_frame, fix->antenna_in_base);
+  if (const auto* fix = std::get_if<GnssFix>(&measurement)) {
+    place(frames_.fix_frame(fix->receiver), fix->antenna_in_base);
+  }
   if (const auto* pair = std::get_if<DualAntennaFix>(&measurement)) {
     place(frames_.gps_left_frame, pair->left.antenna_in_base);
     place(frames_.gps_right_frame, pair->right.antenna_in_base);
@@ -87,7 +91,8 @@ TopicMessage DriveMessages::of(const OdometryIncrement& increment) {
 
 std::vector<TopicMessage> DriveMessages::of(const Measurement& measurement) const {
   if (const auto* fix = std::get_if<GnssFix>(&measurement)) {
-    return {{"gps/fix", to_message(*fix, map_, header(fix->stamp, frames_.gps_frame))}};
+    const std_msgs::Header own = header(fix->stamp, frames_.fix_frame(fix->receiver));
+    return {{fix_topic(fix->receiver), to_message(*fix, map_, own)}};
   }
   if (const auto* epoch = std::get_if<PseudorangeEpoch>(&measurement)) {
     return {{"gnss/epoch", to_message(*epoch, map_, header(epoch->stamp, frames_.gps_frame))}};

@@ -13,10 +13,11 @@ class Reading {
   Reading(const LocalFrame& map, const GnssParameters& parameters, const AntennaFinder& antenna_in_base)
       : map_(map), parameters_(parameters), antenna_in_base_(antenna_in_base) {}
 
-  CheckedMeasurement operator()(const sensor_msgs::NavSatFix& message) const {
+  CheckedMeasurement operator()(const ReceiverFix& message) const {
     const std::optional<Eigen::Vector2d> antenna = lone_antenna(message.header.frame_id);
     if (!antenna) return {Reason::kInvalidFrame, {}};
-    const CheckedFix checked = to_fix(message, map_, parameters_.fix, *antenna);
+    CheckedFix checked = to_fix(message, map_, parameters_.fix, *antenna);
+    checked.fix.receiver = message.receiver;
     return {checked.reason, checked.fix};
   }
 
@@ -65,6 +66,25 @@ const std_msgs::Header& header(const Message& message) {
 
 }  // namespace
 
+std::string fix_name(std::size_t receiver) {
+  const std::string name(kGnssKinds[kFixKind]);
+  return receiver == 0 ? name : name + "_" + std::to_string(receiver + 1);
+}
+
+std::string fix_topic(std::size_t receiver) {
+  return receiver == 0 ? "gps/fix" : "gps_" + std::to_string(receiver + 1) + "/fix";
+}
+
+std::string name_of(const GnssMessage& message) {
+  const auto* fix = std::get_if<ReceiverFix>(&message);
+  return fix == nullptr ? std::string(kGnssKinds[message.index()]) : fix_name(fix->receiver);
+}
+
+std::string name_of(const Measurement& measurement) {
+  const auto* fix = std::get_if<GnssFix>(&measurement);
+  return fix == nullptr ? std::string(kGnssKinds[measurement.index()]) : fix_name(fix->receiver);
+}
+
 void GnssParameters::fields(ParameterVisitor& field) {
   field("antenna", antenna, {-100.0, 100.0}, "m",
         "a lone antenna whose frame tf does not place on the robot is here on the base, forwards and to the "
@@ -104,7 +124,7 @@ const std_msgs::Header& header_of(const GnssMessage& message) {
 }
 
 double declared_sigma(const GnssMessage& message) {
-  if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return declared_sigma(*fix);
+  if (const auto* fix = std::get_if<ReceiverFix>(&message)) return declared_sigma(*fix);
   if (const auto* pair = std::get_if<FixPair>(&message)) {
     return std::hypot(declared_sigma(pair->left), declared_sigma(pair->right)) * std::sqrt(0.5);
   }
@@ -126,7 +146,7 @@ std::size_t satellites_of(const GnssMessage& message) {
 
 Reason check(const GnssMessage& message, const GnssParameters& parameters) {
   if (const auto* epoch = std::get_if<GnssEpoch>(&message)) return check(*epoch, parameters.epoch);
-  if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return check(*fix, parameters.fix);
+  if (const auto* fix = std::get_if<ReceiverFix>(&message)) return check(*fix, parameters.fix);
   if (const auto* velocity = std::get_if<geometry_msgs::TwistWithCovarianceStamped>(&message)) {
     return check(*velocity, parameters.velocity);
   }
@@ -137,7 +157,7 @@ Reason check(const GnssMessage& message, const GnssParameters& parameters) {
 
 std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameters& parameters) {
   if (const auto* epoch = std::get_if<GnssEpoch>(&message)) return solve_geodetic(*epoch, parameters.epoch);
-  if (const auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) return to_geodetic(*fix);
+  if (const auto* fix = std::get_if<ReceiverFix>(&message)) return to_geodetic(*fix);
   if (const auto* pair = std::get_if<FixPair>(&message)) return to_geodetic(pair->left);
   return std::nullopt;
 }

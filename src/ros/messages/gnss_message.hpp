@@ -16,13 +16,30 @@
 
 namespace multipath_localization {
 
+/// A fix of one of a robot's receivers.
+struct ReceiverFix : sensor_msgs::NavSatFix {
+  ReceiverFix(const sensor_msgs::NavSatFix& fix = {}, std::size_t number = 0)  // NOLINT: most robots have one
+      : sensor_msgs::NavSatFix(fix), receiver(number) {}
+
+  std::size_t receiver;  ///< as in GnssFix
+};
+
 /// What comes in of GNSS. The index is that of what becomes of it, in Measurement.
-using GnssMessage =
-    std::variant<sensor_msgs::NavSatFix, FixPair, GnssEpoch, geometry_msgs::TwistWithCovarianceStamped>;
+using GnssMessage = std::variant<ReceiverFix, FixPair, GnssEpoch, geometry_msgs::TwistWithCovarianceStamped>;
 
 /// Names of these kinds, by index.
 constexpr std::array<std::string_view, std::variant_size_v<GnssMessage>> kGnssKinds = {"fix", "dual", "epoch",
                                                                                        "velocity"};
+/// Receivers of fixes that a robot may have.
+constexpr std::size_t kMostReceivers = 4;
+/// "fix", of further receivers "fix_2", "fix_3" and so on.
+std::string fix_name(std::size_t receiver);
+/// "gps/fix", of further receivers "gps_2/fix", "gps_3/fix" and so on.
+std::string fix_topic(std::size_t receiver);
+/// The name of any kind: "dual", "epoch", ...
+std::string name_of(const GnssMessage& message);
+std::string name_of(const Measurement& measurement);
+
 using UsedKinds = std::array<bool, kGnssKinds.size()>;
 static_assert(std::variant_size_v<Measurement> == kGnssKinds.size());
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "multipath_localization/core/parameters.hpp"
@@ -16,6 +17,8 @@ struct RobotFrames {
   std::string gps_right_frame = "gps_right";
 
   void fields(ParameterVisitor& field);
+  /// Of the antenna of a receiver of fixes: `gps_frame`, of further ones that with _2, _3 and so on.
+  [[nodiscard]] std::string fix_frame(std::size_t receiver) const;
 };
 
 }  // namespace multipath_localization

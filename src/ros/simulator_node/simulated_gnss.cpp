@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint32_t kQueue = 50;
 
 bool has_receiver(const SimulatorParameters& simulator) { return simulator.receiver.rate > 0.0; }
+bool has_second(const SimulatorParameters& simulator) { return simulator.second_receiver.rate > 0.0; }
 bool has_pair(const SimulatorParameters& simulator) { return simulator.dual_receiver.rate > 0.0; }
 
 }  // namespace
@@ -22,6 +23,7 @@ SimulatedGnss::SimulatedGnss(ros::NodeHandle node, const SimulatorParameters& si
   if (has_receiver(simulator) && simulator.receiver.source == ReceiverSource::kSatellites) {
     epoch_ = node.advertise<GnssEpoch>("gnss/epoch", kQueue);
   }
+  if (has_second(simulator)) fix_2_ = node.advertise<sensor_msgs::NavSatFix>("gps_2/fix", kQueue);
   if (has_pair(simulator)) {
     left_ = node.advertise<sensor_msgs::NavSatFix>("gps/left/fix", kQueue);
     right_ = node.advertise<sensor_msgs::NavSatFix>("gps/right/fix", kQueue);
@@ -44,6 +46,10 @@ void SimulatedGnss::place_antennas(const SimulatorParameters& simulator) {
     antenna.transform.translation.z = z;
   };
   place(frames_.gps_frame, receiver.antenna_x, receiver.antenna_y, receiver.antenna_z);
+  if (has_second(simulator)) {
+    const SecondReceiverParameters& second = simulator.second_receiver;
+    place(frames_.fix_frame(1), second.antenna_x, second.antenna_y, receiver.antenna_z);
+  }
   if (has_pair(simulator)) {
     place(frames_.gps_left_frame, pair.antenna_x, 0.5 * pair.baseline, 0.0);
     place(frames_.gps_right_frame, pair.antenna_x, -0.5 * pair.baseline, 0.0);
@@ -61,6 +67,9 @@ void SimulatedGnss::publish(const Measurement& measurement, std::optional<int> s
 }
 
 void SimulatedGnss::publish(const GnssFix& fix, std::optional<int> status) {
+  if (fix.receiver > 0) {
+    return fix_2_.publish(to_message(fix, map_, header(fix.stamp, frames_.fix_frame(1))));
+  }
   sensor_msgs::NavSatFix message = to_message(fix, map_, header(fix.stamp, frames_.gps_frame));
   if (status) message.status.status = static_cast<std::int8_t>(*status);
   fix_.publish(message);

@@ -14,7 +14,8 @@
 namespace multipath_localization {
 
 /// Publishes what the simulated receivers measure, on the topics of those that there are: `gps/fix`,
-/// `gps/left/fix` and `gps/right/fix`, `gnss/epoch`, `gps/velocity`; and where their antennas are, on tf.
+/// `gps_2/fix`, `gps/left/fix` and `gps/right/fix`, `gnss/epoch`, `gps/velocity`; and where their antennas
+/// are, on tf.
 class SimulatedGnss {
  public:
   /// `origin`: stamp of simulated time 0.
@@ -34,7 +35,7 @@ class SimulatedGnss {
   RobotFrames frames_;
   LocalFrame map_;
   ros::Time origin_;
-  ros::Publisher fix_, left_, right_, epoch_, velocity_;
+  ros::Publisher fix_, fix_2_, left_, right_, epoch_, velocity_;
   tf2_ros::StaticTransformBroadcaster transforms_;
 };
 

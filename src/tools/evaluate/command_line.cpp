@@ -67,8 +67,10 @@ RandomExtras parse_extras(const std::string& list) {
       extras.gyro = true;
     } else if (name == "velocity") {
       extras.velocity = true;
+    } else if (name == "receivers") {
+      extras.receivers = true;
     } else {
-      throw UsageError(name + " is neither gyro nor velocity");
+      throw UsageError(name + " is none of gyro, velocity, receivers");
     }
   }
   return extras;
@@ -110,9 +112,13 @@ Options read_options(const po::variables_map& given) {
   options.bag = text("bag");
   options.scenario = text("scenario");
   options.suite = text("suite");
-  options.topics = {text("fix-topic"),    text("odom-topic"),  text("truth-topic"),
-                    text("shadow-topic"), text("epoch-topic"), text("left-topic"),
-                    text("right-topic"),  text("imu-topic"),   text("velocity-topic")};
+  std::vector<std::string> fixes = split(text("fix-topic"));
+  if (fixes.empty()) fixes.emplace_back();
+  options.topics = {fixes.front(),          text("odom-topic"),
+                    text("truth-topic"),    text("shadow-topic"),
+                    text("epoch-topic"),    text("left-topic"),
+                    text("right-topic"),    text("imu-topic"),
+                    text("velocity-topic"), {std::next(fixes.begin()), fixes.end()}};
   if (given.count("datum") > 0) options.datum = parse_datum(text("datum"));
   if (given.count("set") > 0) options.assignments = given["set"].as<std::vector<std::string>>();
   options.faults_file = text("faults");

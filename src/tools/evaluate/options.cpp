@@ -39,15 +39,18 @@ po::options_description stream_options() {
       "config/suites/NAME.yaml, or a file. 'random': a robot, way and receiver drawn for each seed; "
       "'drives:DIR': every recording in DIR, fixes and odometry alone. These two run the default estimator, "
       "gated_ekf and two_stage_ekf, are scored from 60 s on and end with how they stand over all drives");
-  add("fix-topic", text("TOPIC"),
-      "of the bag, with or without leading slash; gps/fix, or the only NavSatFix");
+  add("fix-topic", text("A,B"),
+      "of the bag, with or without leading slash, of one receiver or several; gps/fix with gps_2/fix, ..., "
+      "or "
+      "the only NavSatFix");
   add("epoch-topic", text("TOPIC"), "gnss/epoch, or the only GnssEpoch");
   add("left-topic", text("TOPIC"), "NavSatFix of the left one of two antennas; gps/left/fix");
   add("right-topic", text("TOPIC"), "of the right one; gps/right/fix");
   add("imu-topic", text("TOPIC"), "imu/data, or the only Imu");
   add("velocity-topic", text("TOPIC"),
       "velocity of a receiver, with covariance or without; gps/velocity, or the only fix_velocity or vel");
-  add("without", text("A,B"), "inputs of a recording to leave out: gyro, velocity");
+  add("without", text("A,B"),
+      "inputs of a recording to leave out: gyro, velocity, receivers (all but the first)");
   add("odom-topic", text("TOPIC"), "odom, or the only Odometry besides truth");
   add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
   add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
@@ -75,8 +78,8 @@ po::options_description run_options() {
   add("seeds", po::value<std::string>()->default_value("1")->value_name("N"),
       "run seeds 1..N, or FIRST..LAST; of random robots the seed is the robot's too");
   add("with", text("A,B"),
-      "inputs of random robots beside odometry and fixes: gyro, velocity (by Doppler); the robots stay the "
-      "same");
+      "inputs of random robots beside odometry and fixes: gyro, velocity (by Doppler), receivers (a second "
+      "one); the robots stay the same");
   add("jobs", number("N", 1), "runs at a time; changes no result");
   add("known-start", "start the estimators at the true pose; it is unknown otherwise");
   add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),

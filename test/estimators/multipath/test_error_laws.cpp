@@ -32,7 +32,7 @@ TEST(ErrorLaw, WandersWithinItsPrior) {
   for (std::uint32_t i = 0; i < kLaws; ++i) {
     RandomStream random(2, 1, i);
     ErrorLaw law = draw_error_law(random);
-    for (int k = 0; k < 100; ++k) wander(law, 30.0, false, random);
+    for (int k = 0; k < 100; ++k) wander_odometry(law, 30.0, random);
     mean += law.log_turn / kLaws;
     variance += square(law.log_turn) / kLaws;
   }
@@ -40,15 +40,19 @@ TEST(ErrorLaw, WandersWithinItsPrior) {
   EXPECT_NEAR(std::sqrt(variance), 0.8, 0.05);
 }
 
-TEST(ErrorLaw, LearnsNothingOfOdometryWhileTheRobotStands) {
+TEST(ErrorLaw, OfFixesAndOfOdometryWanderApart) {
   RandomStream random(3, 1, 1);
   const ErrorLaw before = draw_error_law(random);
   ErrorLaw law = before;
-  wander(law, 10.0, true, random);
+  wander_fixes(law, 10.0, random);
   EXPECT_EQ(law.log_way, before.log_way);
   EXPECT_EQ(law.log_turn, before.log_turn);
   EXPECT_EQ(law.log_walk, before.log_walk);
   EXPECT_NE(law.log_white, before.log_white);
+  law = before;
+  wander_odometry(law, 10.0, random);
+  EXPECT_EQ(law.log_white, before.log_white);
+  EXPECT_NE(law.log_way, before.log_way);
 }
 
 TEST(ShadowLaw, StandsOutOfAnOpenSky) {

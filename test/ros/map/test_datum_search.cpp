@@ -113,7 +113,7 @@ TEST(DatumSearch, ScatterAndReflectionsDelayNoStart) {
 TEST(DatumSearch, WhatDeclaresNoCovarianceAgreesToo) {
   Judged judged;
   for (int i = 0; i < 3; ++i) {
-    auto message = std::get<sensor_msgs::NavSatFix>(fix(100.0 + i, 0.0, 0.0));
+    auto message = std::get<ReceiverFix>(fix(100.0 + i, 0.0, 0.0));
     message.position_covariance_type = sensor_msgs::NavSatFix::COVARIANCE_TYPE_UNKNOWN;
     judged.add(message);
   }

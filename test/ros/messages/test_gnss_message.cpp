@@ -25,7 +25,7 @@ CheckedMeasurement read(const GnssMessage& message, const GnssParameters& parame
 }
 
 GnssMessage with_frame(GnssMessage message, const std::string& frame) {
-  if (auto* fix = std::get_if<sensor_msgs::NavSatFix>(&message)) fix->header.frame_id = frame;
+  if (auto* fix = std::get_if<ReceiverFix>(&message)) fix->header.frame_id = frame;
   if (auto* pair = std::get_if<FixPair>(&message)) pair->right.header.frame_id = frame;
   if (auto* epoch = std::get_if<GnssEpoch>(&message)) epoch->header.frame_id = frame;
   return message;
@@ -44,6 +44,19 @@ TEST(ToMeasurement, KeepsTheKindAndFindsTheAntennas) {
   EXPECT_EQ(std::get<PseudorangeEpoch>(epoch.measurement).antenna_in_base, kAntenna);
   EXPECT_EQ(satellites_of(epoch.measurement), 13u);
   EXPECT_EQ(satellites_of(fix.measurement), 0u);
+}
+
+TEST(ToMeasurement, KeepsWhoseFixItIs) {
+  const GnssMessage message = ReceiverFix(good_fix(), 2);
+  const CheckedMeasurement checked = read(message);
+  ASSERT_EQ(checked.reason, Reason::kAccepted);
+  EXPECT_EQ(std::get<GnssFix>(checked.measurement).receiver, 2u);
+  EXPECT_EQ(name_of(message), "fix_3");
+  EXPECT_EQ(name_of(checked.measurement), "fix_3");
+  EXPECT_EQ(name_of(GnssMessage(good_fix())), "fix");
+  EXPECT_EQ(name_of(GnssMessage(good_epoch())), "epoch");
+  EXPECT_EQ(fix_topic(0), "gps/fix");
+  EXPECT_EQ(fix_topic(1), "gps_2/fix");
 }
 
 TEST(ToMeasurement, TakesALoneAntennaToBeAtTheBaseUnlessItMayNot) {

@@ -1,0 +1,102 @@
+#include "estimators/multipath/other_receivers.hpp"
+
+#include <Eigen/LU>
+#include <utility>
+
+#include "estimators/multipath/hypothesis.hpp"
+#include "support/numbers.hpp"
+
+namespace multipath_localization::multipath {
+
+namespace {
+
+Eigen::Index first_of(std::size_t other) { return static_cast<Eigen::Index>(other) * kReceiverStates; }
+
+/// State and covariance of a hypothesis and all its receivers together.
+struct Joint {
+  Eigen::VectorXd mean;
+  Eigen::MatrixXd covariance;
+
+  explicit Joint(const Hypothesis& h)
+      : mean(kStateSize + h.others.mean.size()), covariance(mean.size(), mean.size()) {
+    mean << h.mean, h.others.mean;
+    covariance << h.covariance, h.others.cross, h.others.cross.transpose(), h.others.covariance;
+  }
+
+  void exchange(Eigen::Index one, Eigen::Index another) {
+    for (Eigen::Index i = 0; i < kReceiverStates; ++i) {
+      std::swap(mean(one + i), mean(another + i));
+      covariance.row(one + i).swap(covariance.row(another + i));
+      covariance.col(one + i).swap(covariance.col(another + i));
+    }
+  }
+
+  /// Puts back what there is of the first `others` receivers.
+  void give_back(Hypothesis& h, std::size_t others) const {
+    const Eigen::Index n = first_of(others);
+    h.mean = mean.head<kStateSize>();
+    h.covariance = covariance.topLeftCorner<kStateSize, kStateSize>();
+    h.others.mean = mean.segment(kStateSize, n);
+    h.others.cross = covariance.block(0, kStateSize, kStateSize, n);
+    h.others.covariance = covariance.block(kStateSize, kStateSize, n, n);
+  }
+};
+
+}  // namespace
+
+Eigen::Vector2d OtherReceivers::bias(std::size_t other) const {
+  const Eigen::Index first = first_of(other);
+  return mean.segment<2>(first) + mean.segment<2>(first + kShadowX - kSlowX);
+}
+
+Eigen::Matrix2d OtherReceivers::bias_covariance(std::size_t other) const {
+  const Eigen::Index slow = first_of(other);
+  const Eigen::Index shadow = slow + kShadowX - kSlowX;
+  return covariance.block<2, 2>(slow, slow) + covariance.block<2, 2>(shadow, shadow);
+}
+
+void OtherReceivers::correct(const Eigen::MatrixXd& H, const Eigen::MatrixXd& K, const Eigen::MatrixXd& S,
+                             const Eigen::VectorXd& innovation) {
+  if (errors.empty()) return;
+  const Eigen::MatrixXd PH = cross.transpose() * H.transpose();
+  const Eigen::MatrixXd gain = PH * S.inverse();
+  mean += gain * innovation;
+  cross -= K * PH.transpose();
+  covariance -= gain * PH.transpose();
+  covariance = (0.5 * (covariance + covariance.transpose())).eval();
+}
+
+void attend(Hypothesis& h, std::size_t other) {
+  Joint joint(h);
+  joint.exchange(kSlowX, kStateSize + first_of(other));
+  joint.give_back(h, h.others.errors.size());
+  ReceiverErrors& errors = h.others.errors[other];
+  std::swap(static_cast<FixLaw&>(h.law), errors.law);
+  std::swap(h.level, errors.level);
+  std::swap(h.in_shadow, errors.in_shadow);
+  std::swap(h.shadow_law, errors.shadow_law);
+}
+
+void add_receiver(Hypothesis& h, const ReceiverErrors& errors) {
+  OtherReceivers& others = h.others;
+  const Eigen::Index n = others.mean.size();
+  const Eigen::Index m = n + kReceiverStates;
+  others.errors.push_back(errors);
+  others.mean.conservativeResizeLike(Eigen::VectorXd::Zero(m));
+  others.cross.conservativeResizeLike(OtherReceivers::Cross::Zero(kStateSize, m));
+  others.covariance.conservativeResizeLike(Eigen::MatrixXd::Zero(m, m));
+  others.covariance.diagonal().segment<2>(n).setConstant(square(errors.law.slow_sigma() * errors.level));
+  if (!errors.in_shadow) return;
+  others.covariance.diagonal().segment<2>(n + kShadowX - kSlowX).setConstant(square(errors.shadow_law.size));
+}
+
+void forget_receiver(Hypothesis& h, std::size_t other) {
+  Joint joint(h);
+  const std::size_t last = h.others.errors.size() - 1;
+  joint.exchange(kStateSize + first_of(other), kStateSize + first_of(last));
+  joint.give_back(h, last);
+  h.others.errors[other] = h.others.errors[last];
+  h.others.errors.pop_back();
+}
+
+}  // namespace multipath_localization::multipath

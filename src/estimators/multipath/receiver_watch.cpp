@@ -1,0 +1,35 @@
+#include "estimators/multipath/receiver_watch.hpp"
+
+#include <algorithm>
+
+#include "multipath_localization/core/covariance.hpp"
+
+namespace multipath_localization::multipath {
+
+namespace {
+
+/// Fixes within this time are one, just below a receiver's second [s].
+constexpr double kBlock = 0.9;
+/// A receiver that fixes its ambiguities declares less than this from one fix to the next,
+constexpr double kFixed = 0.1;  // [m]
+constexpr double kFloat = 0.3;  ///< and more than that before [m]
+
+}  // namespace
+
+bool ReceiverWatch::due(double now) const { return now - weighed_ >= kBlock; }
+
+Sighting ReceiverWatch::take(double now, double yaw) {
+  Sighting sighting;
+  fixes_in_block_ = static_cast<double>(block_.size());
+  sighting.fix = block_.take(yaw);
+  sighting.duration = std::max(kShortestTime, now - weighed_);
+  const double declared = mean_sigma(sighting.fix.covariance);
+  sighting.refixed = declared < kFixed && declared_ > kFloat;
+  if (sighting.duration > kOutage || sighting.refixed) reacquired_ = now;
+  sighting.reacquired = now - reacquired_ < kSettling;
+  declared_ = declared;
+  weighed_ = now;
+  return sighting;
+}
+
+}  // namespace multipath_localization::multipath

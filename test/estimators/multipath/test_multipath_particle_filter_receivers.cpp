@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "default_localizer.hpp"
+#include "simulated_drive.hpp"
+
+namespace multipath_localization {
+namespace {
+
+constexpr int kSeeds = 4;
+const Eigen::Vector2d kBeside(0.0, -0.8);  ///< antenna of the second receiver [m]
+
+/// A second receiver, whose fixes are off by that [m] at a time [s]; it is silent where it gives none.
+using Bias = std::function<std::optional<Eigen::Vector2d>(double)>;
+
+std::optional<Eigen::Vector2d> good(double) { return Eigen::Vector2d(0.0, 0.0); }
+std::optional<Eigen::Vector2d> absent(double) { return std::nullopt; }
+/// In shadows of half a minute that it does not declare.
+std::optional<Eigen::Vector2d> shadowed(double time) {
+  const bool in_shadow = std::fmod(time, 60.0) > 30.0;
+  return in_shadow ? Eigen::Vector2d(6.0, -4.0) : Eigen::Vector2d(0.0, 0.0);
+}
+
+void add_second(Localizer& localizer, const SimulatedDrive& drive, std::uint64_t seed, double stamp,
+                const Bias& bias) {
+  const auto step = static_cast<std::uint32_t>(std::lround(20.0 * stamp));
+  const std::optional<Eigen::Vector2d> off = bias(stamp);
+  if (step % 4 != 2 || !off) return;
+  RandomStream random(seed, step, 77);
+  GnssFix fix;
+  fix.stamp = stamp;
+  fix.receiver = 1;
+  fix.antenna_in_base = kBeside;
+  fix.position = drive.truth * kBeside + *off + drive.fix_sigma * normals<2>(random);
+  fix.covariance = drive.fix_sigma * drive.fix_sigma * Eigen::Matrix2d::Identity();
+  localizer.add(Measurement(fix));
+}
+
+/// RMSE from 60 s on over two minutes [m], with the estimate at the end of each drive.
+double rmse(
+    const Bias& second, double fix_sigma,
+    const std::function<void(const PoseEstimate&)>& at_end = [](const PoseEstimate&) {}) {
+  RootMeanSquare error;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    Localizer localizer = default_localizer(seed);
+    SimulatedDrive drive(seed);
+    drive.fix_sigma = fix_sigma;
+    drive.spoilt = [&](const OdometryIncrement& u) {
+      add_second(localizer, drive, seed, u.stamp, second);
+      return u;
+    };
+    drive.run(localizer, 120.0, [&] {
+      if (drive.time > 60.0) error.add(position_error(localizer.estimate(), drive.truth));
+    });
+    at_end(localizer.estimate());
+  }
+  return error.value();
+}
+
+TEST(MultipathParticleFilterReceivers, OneInAShadowThatItDoesNotDeclareDoesNoHarm) {
+  const auto knows = [](const PoseEstimate& estimate) {
+    ASSERT_EQ(estimate.receivers.size(), 2u);
+    EXPECT_LT(estimate.receivers[0].shadow_probability, 0.2);
+    EXPECT_GT(estimate.receivers[1].shadow_probability, 0.8);
+    EXPECT_LT((estimate.receivers[1].bias - Eigen::Vector2d(6.0, -4.0)).norm(), 1.0);
+    EXPECT_LT(estimate.shadow_probability, 0.2) << "the other one is under open sky";
+  };
+  EXPECT_LT(rmse(shadowed, 0.3, knows), 1.1 * rmse(absent, 0.3));
+}
+
+TEST(MultipathParticleFilterReceivers, TwoGoodOnesAreNoWorseThanOne) {
+  EXPECT_LT(rmse(good, 0.3), rmse(absent, 0.3));
+  EXPECT_LT(rmse(good, 0.02), 1.02 * rmse(absent, 0.02));
+}
+
+TEST(MultipathParticleFilterReceivers, LosingOneCostsNoMoreThanItGave) {
+  const Bias until_70 = [](double time) { return time < 70.0 ? good(time) : absent(time); };
+  const auto forgot = [](const PoseEstimate& estimate) { EXPECT_TRUE(estimate.receivers.empty()); };
+  EXPECT_LT(rmse(until_70, 0.3, forgot), 1.3 * rmse(absent, 0.3)) << "give or take other draws";
+}
+
+TEST(MultipathParticleFilterReceivers, AreToldApartInTheirReasons) {
+  Localizer localizer = default_localizer(1);
+  localizer.add(OdometryIncrement{0.1, 0.1, 1.0, 0.0});
+  GnssFix fix;
+  fix.stamp = 0.1;
+  localizer.add(Measurement(fix));
+  fix.receiver = 1;
+  localizer.add(Measurement(fix));
+  localizer.add(Measurement(fix));
+  const std::vector<MeasurementReport> reports = localizer.take_reports();
+  ASSERT_EQ(reports.size(), 3u);
+  EXPECT_EQ(reports[1].innovation.reason, Reason::kAccepted) << "the same place as of the other one";
+  EXPECT_EQ(reports[2].innovation.reason, Reason::kRepeated);
+}
+
+}  // namespace
+}  // namespace multipath_localization
