@@ -25,8 +25,9 @@ constexpr double kShortestMean = 0.05;     // of the curvature along the path [m
 SpeedLimits limits_of(const WaypointFollowerParameters& p) {
   const double most =
       p.limits.differential() ? p.limits.max_yaw_rate : std::numeric_limits<double>::infinity();
-  return {p.cruise_speed, p.max_lateral_acceleration, kPlannedBraking * p.limits.max_deceleration, most,
-          p.tightest_curvature()};
+  const double braking = kPlannedBraking * p.limits.max_deceleration;
+  return {p.cruise_speed, p.max_lateral_acceleration, braking,
+          most,           p.tightest_curvature(),     p.limits.braking_delay(braking)};
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ bool PathProgress::passes(const Pose2& pose) {
   follow(pose.position());
   if (comes_to_rest()) return arrived(pose);
   const Eigen::Vector2d beyond = pose.position() - vertices_[next_];
-  const bool further = station_ > path_.station(next_) && deviation(pose.position()) <= rule_.radius;
+  const bool further = station_ >= path_.station(next_) && deviation(pose.position()) <= rule_.radius;
   return beyond.norm() <= rule_.radius || further || crossed(beyond);
 }
 
@@ -87,10 +87,11 @@ bool PathProgress::crossed(const Eigen::Vector2d& beyond) const {
 }
 
 bool PathProgress::arrived(const Pose2& pose) const {
-  if (winds_) return station_ >= path_.length() - kArrived;
+  const bool at_end = station_ >= path_.length() - kArrived;
+  if (winds_) return at_end;
   const Eigen::Vector2d ahead = vertices_[next_] - pose.position();
   const double in_reach = ahead.dot(Eigen::Vector2d(std::cos(pose.yaw), std::sin(pose.yaw)));
-  if (ahead.norm() <= kArrived) return true;
+  if (ahead.norm() <= (at_end ? rule_.radius : kArrived)) return true;
   if (!rule_.turns_on_the_spot && ahead.norm() <= rule_.radius && in_reach <= kArrived) return true;
   const double heading = path_.at(path_.length()).heading;
   const Eigen::Vector2d short_of_it = kArrived * Eigen::Vector2d(std::cos(heading), std::sin(heading));

@@ -50,7 +50,8 @@ std::string SafetyStop::reason_to_halt(const FollowerOutput& wanted, const Hazar
 FollowerOutput SafetyStop::slowed(const FollowerOutput& wanted, double speed, double free_way) const {
   if (!std::isfinite(free_way)) return wanted;
   const double room = std::max(0.0, free_way - parameters_.obstacle_distance);
-  const double most = std::sqrt(2.0 * kPlannedBraking * deceleration_ * room);
+  const double late = kPlannedBraking * deceleration_ * braking_delay_;
+  const double most = std::sqrt(late * late + 2.0 * kPlannedBraking * deceleration_ * room) - late;
   if (std::abs(wanted.command.speed) <= most) return wanted;
   FollowerOutput slower = wanted;
   slower.command.speed = most > kCrawl ? std::copysign(most, wanted.command.speed) : 0.0;
@@ -78,7 +79,7 @@ FollowerOutput SafetyStop::guarded(const FollowerOutput& wanted, double speed, c
 
 double SafetyStop::look_ahead(double speed) const {
   const double braking = speed * speed / (2.0 * kPlannedBraking * deceleration_);
-  return parameters_.obstacle_distance + kFurther + braking + kReaction * std::abs(speed);
+  return parameters_.obstacle_distance + kFurther + braking + (kReaction + braking_delay_) * std::abs(speed);
 }
 
 }  // namespace multipath_localization

@@ -17,6 +17,13 @@ double braked_from(double end_speed, double deceleration, double distance) {
   return std::sqrt(end_speed * end_speed + 2.0 * deceleration * std::max(distance, 0.0));
 }
 
+/// The speed v from which it does where `delay` [s] is driven at v before.
+double braked_late_from(double end_speed, double deceleration, double distance, double delay) {
+  const double late = deceleration * delay;
+  const double from = braked_from(std::hypot(end_speed, late), deceleration, distance) - late;
+  return std::max(end_speed, from);
+}
+
 double limit_in(double curvature, const SpeedLimits& limits) {
   const double driven = std::min(std::abs(curvature), limits.tightest_curvature);
   double speed = limits.cruise_speed;
@@ -42,7 +49,9 @@ double limit_of(const std::vector<SpeedZone>& zones, const PathPiece& piece) {
 
 SpeedProfile::SpeedProfile(const Path& path, const SpeedLimits& limits, double end_speed,
                            const std::vector<SpeedZone>& zones)
-    : deceleration_(limits.deceleration), stretches_(path.pieces().size()) {
+    : deceleration_(limits.deceleration),
+      braking_delay_(limits.braking_delay),
+      stretches_(path.pieces().size()) {
   double exit_speed = end_speed;
   for (std::size_t i = stretches_.size(); i-- > 0;) {
     const PathPiece& piece = path.pieces()[i];
@@ -55,7 +64,8 @@ SpeedProfile::SpeedProfile(const Path& path, const SpeedLimits& limits, double e
 double SpeedProfile::at(const Path& path, double s) const {
   const std::size_t i = path.piece_at(s);
   const Stretch& stretch = stretches_[i];
-  return std::min(stretch.limit, braked_from(stretch.exit_speed, deceleration_, path.pieces()[i].end() - s));
+  const double left = path.pieces()[i].end() - s;
+  return std::min(stretch.limit, braked_late_from(stretch.exit_speed, deceleration_, left, braking_delay_));
 }
 
 double SpeedProfile::duration(const Path& path, double from, double to) const {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "multipath_localization/guidance/command_limiter.hpp"
 
@@ -14,6 +16,7 @@ CommandLimiter limiter() {
   limits.max_deceleration = 2.0;
   limits.emergency_deceleration = 4.0;
   limits.max_steering_rate = 0.5;
+  limits.max_jerk = 1e6;
   return {limits, 0.5};
 }
 
@@ -43,6 +46,39 @@ TEST(CommandLimiter, BrakesAlongItsArcAndInAnEmergencyHarder) {
   EXPECT_EQ(base.last().speed, 0.0);
   for (int i = 0; i < 4; ++i) base.limited({}, true, 0.1);
   EXPECT_NEAR(base.last().steering_angle, 0.0, 1e-12);
+}
+
+CommandLimiter gentle() {
+  CommandLimits limits;
+  limits.max_jerk = 2.0;
+  return {limits, 0.5};
+}
+
+/// Every few seconds another speed is wanted, forwards or back, also before the last one is reached.
+TEST(CommandLimiter, KeepsTheJerkAndComesToEachSpeedWithoutPassingIt) {
+  constexpr double kStep = 0.02;  // [s]
+  CommandLimiter base = gentle();
+  double speed = 0.0;
+  double acceleration = 0.0;
+  for (const auto& [wanted, steps] : std::vector<std::pair<double, int>>{
+           {1.5, 200}, {0.4, 150}, {0.41, 50}, {3.0, 20}, {0.0, 200}, {-1.0, 200}, {1.0, 250}, {0.0, 200}}) {
+    for (int i = 0; i < steps; ++i) {
+      const double now = base.limited({wanted, 0.0}, false, kStep).speed;
+      ASSERT_LE(std::abs((now - speed) / kStep - acceleration), 2.0 * kStep + 1e-6) << wanted << " " << i;
+      ASSERT_LE(std::abs(now - speed), 1.0 * kStep + 1e-9);
+      acceleration = (now - speed) / kStep;
+      speed = now;
+    }
+    if (steps > 100) {
+      EXPECT_EQ(speed, wanted);
+    }
+  }
+}
+
+TEST(CommandLimiter, BrakesInAnEmergencyAtOnce) {
+  CommandLimiter base = gentle();
+  for (int i = 0; i < 200; ++i) base.limited({1.5, 0.0}, false, 0.02);
+  EXPECT_NEAR(base.limited({}, true, 0.02).speed, 1.46, 1e-9);
 }
 
 TEST(CommandLimiter, MakesNoJumpOfASilenceNorOfTimeThatRunsBack) {

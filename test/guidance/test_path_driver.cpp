@@ -43,11 +43,15 @@ WaypointFollowerParameters parameters_of(const BaseTraits& base, double speed) {
   return p;
 }
 
-bool keeps(const CommandLimits& limits, const MotionCommand& before, const MotionCommand& now, double most) {
+/// `earlier`, `before` and `now` are commands one after the other.
+bool keeps(const CommandLimits& limits, const MotionCommand& earlier, const MotionCommand& before,
+           const MotionCommand& now, double most) {
   const double faster = (now.speed - before.speed) / kStep;
+  const double jerk = std::abs(now.speed - 2.0 * before.speed + earlier.speed) / (kStep * kStep);
   const double turn = std::abs(now.steering_angle - before.steering_angle) / kStep;
-  return faster <= limits.max_acceleration + 1e-9 && -faster <= limits.max_deceleration + 1e-9 &&
-         turn <= limits.max_steering_rate + 1e-9 && std::abs(now.steering_angle) <= most + 1e-12;
+  return jerk <= limits.max_jerk + 1e-3 && faster <= limits.max_acceleration + 1e-9 &&
+         -faster <= limits.max_deceleration + 1e-9 && turn <= limits.max_steering_rate + 1e-9 &&
+         std::abs(now.steering_angle) <= most + 1e-12;
 }
 
 /// Drives a route from `start` until the base is at rest at its end, or for an hour.
@@ -57,12 +61,15 @@ Outcome drive(const Route& route, const WaypointFollowerParameters& p, const Bas
   CommandLimiter limiter(p.limits, p.wheelbase);
   SteeredBase base(traits, start);
   Outcome outcome;
+  MotionCommand earlier;
   for (; outcome.time < 3600.0 && !outcome.at_rest; outcome.time += kStep) {
     const Pose2 now = limiter.carried_forward(base.arrived(), traits.pose_age);
     const FollowerOutput wanted = follower.command(now, traits.pose_age, Trust::kGood);
     const MotionCommand before = limiter.last();
     const MotionCommand command = limiter.limited(wanted.command, wanted.urgent, kStep);
-    outcome.within_limits = outcome.within_limits && keeps(p.limits, before, command, p.max_steering_angle);
+    outcome.within_limits =
+        outcome.within_limits && keeps(p.limits, earlier, before, command, p.max_steering_angle);
+    earlier = before;
     base.step(command, kStep);
     const PathProgress* progress = follower.progress_on_path();
     if (progress != nullptr) {

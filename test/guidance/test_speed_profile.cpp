@@ -66,6 +66,21 @@ TEST(SpeedProfile, KeepsTheSpeedOfEachZoneAndBrakesForIt) {
   EXPECT_NEAR(speed.at(path, before), std::sqrt(0.4 * 0.4 + 2.0 * 0.5 * 1.0), 1e-6);
 }
 
+/// Where the speed falls as told only 0.4 s later, it has fallen in time for the bend and the end.
+TEST(SpeedProfile, BrakesEarlierByItsDelay) {
+  const Path path({{0.0, 0.0}, {30.0, 0.0}}, 1.0);
+  SpeedLimits limits = kLimits;
+  limits.braking_delay = 0.4;
+  const SpeedProfile late(path, limits, 0.0);
+  const SpeedProfile at_once(path, kLimits, 0.0);
+  for (double s = 15.0; s < 29.0; s += 0.5) {
+    const double speed = late.at(path, s);
+    EXPECT_NEAR(speed, at_once.at(path, s + 0.4 * speed), 1e-9) << s;
+  }
+  EXPECT_EQ(late.at(path, 5.0), 3.0);
+  EXPECT_NEAR(late.at(path, 30.0), 0.0, 1e-9);
+}
+
 TEST(SpeedProfile, TellsHowLongAWayTakes) {
   const Path line({{0.0, 0.0}, {30.0, 0.0}}, 1.0);
   EXPECT_NEAR(SpeedProfile(line, kLimits, 3.0).duration(line, 0.0, 30.0), 10.0, 1e-6);

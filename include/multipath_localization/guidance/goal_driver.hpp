@@ -25,7 +25,7 @@ class GoalDriver {
   /// How far from the end of the path it was passed [m]; 0 before.
   [[nodiscard]] double missed_by() const { return missed_by_; }
 
-  static constexpr double kAtGoal = 0.06;  ///< [m] the rest of a tenth is what braking and delays take
+  static constexpr double kAtGoal = 0.05;  ///< [m] the rest of a tenth is what braking and delays take
 
  private:
   [[nodiscard]] bool leads_beside(const Pose2& pose) const;

@@ -36,9 +36,9 @@ struct Hazards {
 /// halted, when nothing has been in the way for `clear_time`.
 class SafetyStop {
  public:
-  /// A robot that brakes by `deceleration` [m/s^2].
-  SafetyStop(const SafetyParameters& parameters, double deceleration)
-      : parameters_(parameters), deceleration_(deceleration) {}
+  /// A robot that brakes by `deceleration` [m/s^2], which tells after `braking_delay` [s] in the mean.
+  SafetyStop(const SafetyParameters& parameters, double deceleration, double braking_delay = 0.0)
+      : parameters_(parameters), deceleration_(deceleration), braking_delay_(braking_delay) {}
 
   /// What is left of a command in the face of hazards, for a base that drives at `speed` [m/s], at `now` [s]
   /// of a clock that goes on.
@@ -57,6 +57,7 @@ class SafetyStop {
 
   SafetyParameters parameters_;
   double deceleration_;
+  double braking_delay_;
   std::string reason_;
   double hazard_seen_ = 0.0;  ///< when, where there is a reason [s]
 };

@@ -13,6 +13,7 @@ struct SpeedLimits {
   double deceleration;          ///< [m/s^2]
   double yaw_rate;              ///< [rad/s]
   double tightest_curvature;    ///< it can drive; tighter bends of the path are driven as this one [1/m]
+  double braking_delay = 0.0;   ///< from the order to brake until it tells, in the mean [s]
 };
 
 /// A part of a path, from the end of the one before on, that is driven no faster than told.
@@ -22,7 +23,7 @@ struct SpeedZone {
 };
 
 /// The speed along a path: the cruise speed, less in its bends by their lateral acceleration, and before
-/// slower stretches and the end by what braking allows.
+/// slower stretches and the end by what braking, begun earlier by its delay, allows.
 class SpeedProfile {
  public:
   /// `end_speed` is that at the end of the path [m/s]. A piece of the path in several zones counts to the
@@ -43,6 +44,7 @@ class SpeedProfile {
   };
 
   double deceleration_;
+  double braking_delay_;
   std::vector<Stretch> stretches_;
 };
 

@@ -15,7 +15,8 @@ SteeringNode::SteeringNode(const ros::NodeHandle& node, const ros::NodeHandle& p
       commands_(settings.parameters.follower),
       outputs_(node, private_node, settings.parameters),
       safety_inputs_(node, settings.parameters),
-      safety_(settings.parameters.safety, settings.parameters.follower.limits.max_deceleration) {
+      safety_(settings.parameters.safety, parameters_.follower.limits.max_deceleration,
+              parameters_.follower.limits.braking_delay(parameters_.follower.limits.max_deceleration)) {
   ros::NodeHandle outer(node);
   ros::NodeHandle own(private_node);
   subscribe(outer);
