@@ -1,8 +1,10 @@
 #include "guidance/geojson_waypoints.hpp"
 
 #include <iomanip>
+#include <optional>
 
 #include "guidance/json_file.hpp"
+#include "guidance/polygon_inset.hpp"
 #include "guidance/waypoint_reading.hpp"
 #include "support/plain_numbers.hpp"
 
@@ -27,12 +29,19 @@ class Reader {
     if (type == "FeatureCollection") {
       std::size_t number = 0;
       for (const json& feature : items(member(content, "features"), "features", {file_})) {
-        take(member(feature, "geometry"), {file_, "feature " + std::to_string(++number)});
+        take_feature(feature, {file_, "feature " + std::to_string(++number)});
       }
+    } else if (type == "Feature") {
+      take_feature(content, {file_});
     } else {
-      take(type == "Feature" ? member(content, "geometry") : content, {file_});
+      take(content, {file_});
     }
-    return features_.route();
+    WaypointList route = features_.route();
+    if (!field_) return route;
+    const std::string fault = fault_of_polygon(route.points);
+    if (!fault.empty()) throw FilePlace{file_}.error("the border of the field has " + fault);
+    route.field = field_;
+    return route;
   }
 
  private:
@@ -44,6 +53,19 @@ class Reader {
     if (name.find("CRS84") == std::string::npos && name.find("4326") == std::string::npos) {
       throw FilePlace{file_}.error("its coordinates are not of WGS 84: " + name.substr(0, 100));
     }
+  }
+
+  void take_feature(const json& feature, const FilePlace& where) {
+    const json& geometry = member(feature, "geometry");
+    take(geometry, where);
+    const json& width = member(member(feature, "properties"), "coverage_width");
+    if (width.is_null()) return;
+    if (member(geometry, "type") != "Polygon") throw where.error("coverage_width, and no Polygon");
+    if (!width.is_number() || !(width.get<double>() > 0.0)) {
+      throw where.error("coverage_width is a number above 0");
+    }
+    if (member(geometry, "coordinates").size() > 1) throw where.error("a field with holes");
+    field_ = FieldTask{width.get<double>()};
   }
 
   void take(const json& geometry, const FilePlace& where) {
@@ -77,6 +99,7 @@ class Reader {
 
   std::string file_;
   MapFeatures features_;
+  std::optional<FieldTask> field_;
 };
 
 }  // namespace

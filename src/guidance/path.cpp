@@ -67,6 +67,26 @@ Path::Path(const std::vector<Eigen::Vector2d>& vertices, double corner_radius) {
   find_stations(vertices, bends);
 }
 
+Path::Path(const std::vector<Eigen::Vector2d>& vertices, const std::vector<double>& curvatures,
+           double corner_radius) {
+  pieces_.push_back({0.0, 0.0, vertices.front(), direction(vertices[0], vertices[1]), 0.0});
+  corners_.push_back(0.0);
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    if (curvatures[i] != 0.0) {
+      add_arc(vertices[i - 1], vertices[i], curvatures[i]);
+      continue;
+    }
+    turn_to(direction(vertices[i - 1], vertices[i]));
+    if (i + 1 < vertices.size() && curvatures[i + 1] == 0.0) {
+      add_corner(vertices[i - 1], vertices[i], vertices[i + 1], corner_radius);
+      continue;
+    }
+    add_piece((vertices[i] - pieces_.back().at(pieces_.back().length).position).norm(), 0.0);
+    corners_.push_back(length());
+  }
+  stations_ = corners_;
+}
+
 Path::Path(const Pose2& start, const std::vector<PathArc>& arcs) {
   pieces_.push_back({0.0, 0.0, start.position(), start.yaw, 0.0});
   for (const PathArc& arc : arcs) add_piece(arc.length, arc.curvature);
@@ -103,6 +123,20 @@ void Path::add_piece(double length, double curvature) {
   }
   const PathPoint start = last.at(last.length);
   pieces_.push_back({last.end(), length, start.position, start.heading, curvature});
+}
+
+void Path::add_arc(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double curvature) {
+  const double half_turn = std::asin(std::clamp(0.5 * curvature * (to - from).norm(), -1.0, 1.0));
+  turn_to(direction(from, to) - half_turn);
+  const double heading = pieces_.back().heading;
+  pieces_.push_back({length(), 2.0 * half_turn / curvature, from, heading, curvature});
+  corners_.push_back(length());
+}
+
+/// Begins a line that heads so, counted on, where the last piece ends.
+void Path::turn_to(double heading) {
+  const PathPoint end = pieces_.back().at(pieces_.back().length);
+  pieces_.push_back({length(), 0.0, end.position, end.heading + angle_difference(heading, end.heading), 0.0});
 }
 
 void Path::find_stations(const std::vector<Eigen::Vector2d>& vertices,

@@ -16,11 +16,11 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() 
 }  // namespace
 
 PathProgress::PathProgress(std::vector<Eigen::Vector2d> vertices, std::size_t first, const PassingRule& rule,
-                           const Eigen::Vector2d& position)
+                           const Eigen::Vector2d& position, const std::vector<double>& curvatures)
     : vertices_(std::move(vertices)),
       next_(first),
       rule_(rule),
-      path_(vertices_, rule.radius),
+      path_(curvatures.empty() ? Path(vertices_, rule.radius) : Path(vertices_, curvatures, rule.radius)),
       station_(path_.nearest(position, path_.station(next_ - 1) - rule.radius, path_.station(next_))),
       position_(position) {}
 

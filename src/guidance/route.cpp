@@ -59,4 +59,9 @@ bool Route::stops(std::size_t ahead) const {
   return task(ahead).wait > 0.0 || task(ahead).reverse != task(ahead + 1).reverse;
 }
 
+bool Route::has_arcs() const {
+  return std::any_of(tasks_.at.begin(), tasks_.at.end(),
+                     [](const WaypointTask& task) { return task.curvature.has_value(); });
+}
+
 }  // namespace multipath_localization

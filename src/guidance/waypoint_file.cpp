@@ -99,6 +99,7 @@ std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::op
 }
 
 void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::optional<LocalFrame>& map) {
+  if (waypoints.field) throw std::invalid_argument("a field takes no waypoints");
   const std::string fault = fault_of(in_map, false);
   if (!fault.empty()) throw std::invalid_argument("the point is " + fault);
   if (waypoints.points.size() >= kMostWaypoints) throw std::invalid_argument("there are too many waypoints");

@@ -73,6 +73,15 @@ std::vector<SpeedZone> zones_of(const Route& route, const Path& path, std::size_
   return zones;
 }
 
+/// Of the ways to the waypoints of a path, likewise; none where the route tells none.
+std::vector<double> curvatures_of(const Route& route, std::size_t first, std::size_t ahead) {
+  std::vector<double> curvatures;
+  if (!route.has_arcs()) return curvatures;
+  curvatures.assign(first, 0.0);
+  for (std::size_t i = 0; i < ahead; ++i) curvatures.push_back(route.task(i).curvature.value_or(0.0));
+  return curvatures;
+}
+
 }  // namespace
 
 WaypointFollower::WaypointFollower(const WaypointFollowerParameters& parameters,
@@ -170,7 +179,7 @@ void WaypointFollower::lay_path(std::vector<Eigen::Vector2d> behind, const Eigen
   const bool stop_at_end = stops && parameters_.law != "nishida";
   const PassingRule rule{parameters_.switch_radius, parameters_.crossing_width, stop_at_end,
                          parameters_.tightest_curvature(), parameters_.limits.differential()};
-  PathProgress progress(std::move(behind), first, rule, position);
+  PathProgress progress(std::move(behind), first, rule, position, curvatures_of(route_, first, ahead));
   const PathPlan plan{stop_at_end ? 0.0 : parameters_.cruise_speed, route_.task().reverse,
                       zones_of(route_, progress.path(), first, ahead)};
   driver_.emplace(parameters_, std::move(progress), plan);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/plain_yaml.hpp"
+#include "guidance/polygon_inset.hpp"
 #include "guidance/waypoint_reading.hpp"
 #include "support/plain_numbers.hpp"
 
@@ -15,6 +16,8 @@ namespace multipath_localization {
 namespace {
 
 constexpr const char* kForms = "a waypoint is [x, y], {x: , y: } or {latitude: , longitude: }";
+constexpr const char* kFieldForm =
+    "a field has a border, a list of corners, and a width, and heading, start and speed as wanted";
 constexpr const char* kUntilResumed = "resume";
 
 /// The names a point's coordinates have; none in the short form.
@@ -77,6 +80,32 @@ std::string text_of(const WaypointTask& task) {
   return text.str();
 }
 
+/// A member of a field, one of as many as `known` counts; undefined where it is not there.
+YAML::Node member(const YAML::Node& field, const std::string& name, std::size_t& known) {
+  const YAML::Node value = field[name];
+  if (value) ++known;
+  return value;
+}
+
+FieldTask field_task_in(const YAML::Node& field, std::size_t corners, const FilePlace& place) {
+  std::size_t known = 1;  // the border
+  FieldTask task{positive(member(field, "width", known), "width", place)};
+  if (const YAML::Node heading = member(field, "heading", known)) {
+    task.heading = yaml_number<double>(heading);
+    if (!std::isfinite(*task.heading)) throw place.error("heading is a number");
+  }
+  if (const YAML::Node start = member(field, "start", known)) {
+    const auto corner = yaml_number<int>(start);
+    if (corner < 1 || static_cast<std::size_t>(corner) > corners) {
+      throw place.error("start is the number of a corner, 1 being the first");
+    }
+    task.start = static_cast<std::size_t>(corner - 1);
+  }
+  if (const YAML::Node speed = member(field, "speed", known)) task.speed = positive(speed, "speed", place);
+  if (known != field.size()) throw place.error(kFieldForm);
+  return task;
+}
+
 YAML::Node content_of(const std::string& file) {
   try {
     return parse_yaml_file(file);
@@ -89,15 +118,34 @@ FilePlace place_of(const std::string& file, const YAML::Mark& mark) {
   return {file, std::to_string(mark.line + 1)};
 }
 
+/// Its border, and how it is to be worked on.
+WaypointList field_in(const YAML::Node& field, const std::string& file) {
+  const FilePlace place = place_of(file, field.Mark());
+  if (!field.IsMap() || !field["border"] || !field["border"].IsSequence() || !field["width"]) {
+    throw place.error(kFieldForm);
+  }
+  WaypointList list;
+  for (const YAML::Node& item : field["border"]) append(list, item, place_of(file, item.Mark()));
+  if (!std::all_of(list.tasks.begin(), list.tasks.end(), says_nothing)) {
+    throw place.error("a corner of a field has coordinates alone");
+  }
+  list.tasks.clear();
+  const std::string fault = fault_of_polygon(list.points);
+  if (!fault.empty()) throw place.error("the border of the field has " + fault);
+  list.field = field_task_in(field, list.points.size(), place);
+  return list;
+}
+
 }  // namespace
 
 WaypointList read_yaml_waypoints(const std::string& file) {
   WaypointList list;
   try {
     const YAML::Node content = content_of(file);
+    if (content.IsMap() && content.size() == 1 && content["field"]) return field_in(content["field"], file);
     const bool known = content.IsMap() && content.size() == 1 && content["waypoints"];
     if (!known || !content["waypoints"].IsSequence()) {
-      throw FilePlace{file, "1"}.error("the file holds a list named waypoints and nothing else");
+      throw FilePlace{file, "1"}.error("the file holds a list named waypoints, or a field, and nothing else");
     }
     for (const YAML::Node& item : content["waypoints"]) append(list, item, place_of(file, item.Mark()));
   } catch (const YAML::Exception& error) {

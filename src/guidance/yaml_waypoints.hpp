@@ -6,7 +6,8 @@
 
 namespace multipath_localization {
 
-/// `waypoints:`, a list of `[x, y]`, `{x: , y: }` [m] or `{latitude: , longitude: }` [deg]. Throws
+/// `waypoints:`, a list of `[x, y]`, `{x: , y: }` [m] or `{latitude: , longitude: }` [deg], or `field:`, with
+/// `border`, such a list, `width`, and `heading`, `start` and `speed` as wanted, see FieldTask. Throws
 /// ParameterError, `FILE:LINE: reason`.
 WaypointList read_yaml_waypoints(const std::string& file);
 

@@ -80,5 +80,24 @@ TEST_F(GeoJsonWaypoints, AreWrittenAsTheyAreRead) {
   EXPECT_THROW(geojson_of({true, {}}), ParameterError);
 }
 
+TEST_F(GeoJsonWaypoints, AreTheBorderOfAFieldWhereAPolygonHasAWidth) {
+  const auto polygon = [](const std::string& properties, const std::string& rings) {
+    return R"({"type": "Feature", "properties": )" + properties +
+           R"(, "geometry": {"type": "Polygon", "coordinates": )" + rings + "}}";
+  };
+  const std::string ring = "[[139.0, 35.0], [139.001, 35.0], [139.001, 35.001], [139.0, 35.0]]";
+  const std::string width = R"({"coverage_width": 1.5})";
+  const WaypointList list = read_waypoints(holding("a.geojson", polygon(width, "[" + ring + "]"))).value();
+  ASSERT_TRUE(list.field);
+  EXPECT_EQ(list.field->width, 1.5);
+  EXPECT_EQ(list.points.size(), 3U);
+  EXPECT_FALSE(read_waypoints(holding("b.geojson", polygon("{}", "[" + ring + "]")))->field);
+  EXPECT_EQ(refusal("a.geojson", polygon(R"({"coverage_width": "wide"})", "[" + ring + "]")),
+            ": coverage_width is a number above 0");
+  EXPECT_EQ(refusal("a.geojson", polygon(width, "[" + ring + ", " + ring + "]")), ": a field with holes");
+  EXPECT_EQ(refusal("a.geojson", polygon(width, "[[[1, 1], [2, 2], [2, 1], [1, 2], [1, 1]]]")),
+            ": the border of the field has edges that cross or touch");
+}
+
 }  // namespace
 }  // namespace multipath_localization

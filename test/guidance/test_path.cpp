@@ -107,5 +107,21 @@ TEST(Path, TurnsBackAtACuspAlone) {
   EXPECT_FALSE(path.turns_back_at(path.station(2) + 0.1));
 }
 
+TEST(Path, FollowsTheArcsTold) {
+  const Path path({{0.0, 0.0}, {4.0, 0.0}, {6.0, 2.0}, {4.0, 4.0}, {0.0, 4.0}}, {0.0, 0.0, 0.5, 0.5, 0.0},
+                  1.0);
+  EXPECT_NEAR(path.length(), 8.0 + 2.0 * kPi, 1e-9);
+  EXPECT_NEAR(path.station(2), 4.0 + kPi, 1e-9);
+  EXPECT_NEAR(path.at(path.station(2)).heading, 0.5 * kPi, 1e-9);
+  EXPECT_NEAR(path.at(path.length()).heading, kPi, 1e-9);
+  EXPECT_NEAR(path.at(path.station(2)).curvature, 0.5, 1e-12);
+}
+
+TEST(Path, LeavesOutNoPlaceWhereItHasArcsAndRoundsCornersBetweenLines) {
+  const Path path({{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {10.0, 10.2}}, {0.0, 0.0, 0.0, 0.0}, 1.0);
+  EXPECT_NEAR((path.at(path.station(1)).position - Eigen::Vector2d(10.0, 0.0)).norm(), 1.0, 1e-9);
+  EXPECT_NEAR(path.station(3) - path.station(2), 0.2, 1e-9);
+}
+
 }  // namespace
 }  // namespace multipath_localization

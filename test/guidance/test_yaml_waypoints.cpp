@@ -56,8 +56,38 @@ TEST_F(YamlWaypoints, RefusesABadLineOfYamlByItsNumber) {
             ":2: speed is a number above 0");
   EXPECT_EQ(refusal("a.yaml", "waypoints:\n  - {x: 1, y: 2, reverse: 3}\n").rfind(":2: ", 0), 0U);
   for (const char* other : {"", "[[1, 2]]", "waypoints: 3", "waypoints: [[1, 2]]\nloop: true"}) {
-    EXPECT_EQ(refusal("a.yaml", other), ":1: the file holds a list named waypoints and nothing else");
+    EXPECT_EQ(refusal("a.yaml", other),
+              ":1: the file holds a list named waypoints, or a field, and nothing else");
   }
+}
+
+TEST_F(YamlWaypoints, HoldsAField) {
+  const std::string border = "field:\n  border: [[0, 0], [40, 0], [40, 25]]\n";
+  const WaypointList list =
+      read_waypoints(holding("a.yaml", border + "  width: 1.2\n  heading: 0.5\n  start: 3\n  speed: 0.8\n"))
+          .value();
+  EXPECT_EQ(list.points, (Points{{0.0, 0.0}, {40.0, 0.0}, {40.0, 25.0}}));
+  ASSERT_TRUE(list.field);
+  EXPECT_EQ(list.field->width, 1.2);
+  EXPECT_EQ(list.field->heading, 0.5);
+  EXPECT_EQ(list.field->start, 2U);
+  EXPECT_EQ(list.field->speed, 0.8);
+  EXPECT_FALSE(read_waypoints(holding("b.yaml", border + "  width: 2\n"))->field->start);
+}
+
+TEST_F(YamlWaypoints, RefusesABadFieldByItsLine) {
+  const std::string border = "field:\n  border: [[0, 0], [40, 0], [40, 25]]\n";
+  const std::string form =
+      "a field has a border, a list of corners, and a width, and heading, start and speed as wanted";
+  EXPECT_EQ(refusal("a.yaml", border), ":2: " + form);
+  EXPECT_EQ(refusal("a.yaml", border + "  width: 1\n  with: 2\n"), ":2: " + form);
+  EXPECT_EQ(refusal("a.yaml", border + "  width: 0\n"), ":2: width is a number above 0");
+  EXPECT_EQ(refusal("a.yaml", border + "  width: 1\n  start: 4\n"),
+            ":2: start is the number of a corner, 1 being the first");
+  EXPECT_EQ(refusal("a.yaml", "field:\n  width: 1\n  border: [[0, 0], [9, 9], [9, 0], [0, 9]]\n"),
+            ":2: the border of the field has edges that cross or touch");
+  EXPECT_EQ(refusal("a.yaml", "field:\n  width: 1\n  border: [{x: 0, y: 0, wait: 2}, [9, 9], [9, 0]]\n"),
+            ":2: a corner of a field has coordinates alone");
 }
 
 }  // namespace

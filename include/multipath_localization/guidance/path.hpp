@@ -44,6 +44,10 @@ class Path {
  public:
   /// At least one vertex; all finite.
   Path(const std::vector<Eigen::Vector2d>& vertices, double corner_radius);
+  /// Along vertices in map [m], where `curvatures` has for each but the first that of the arc on the way to
+  /// it, to the left, 0 for a line [1/m]. Nothing is left out; corners between lines are rounded as above.
+  Path(const std::vector<Eigen::Vector2d>& vertices, const std::vector<double>& curvatures,
+       double corner_radius);
   /// From a pose in map along arcs. Its vertices are its two ends.
   Path(const Pose2& start, const std::vector<PathArc>& arcs);
 
@@ -66,6 +70,8 @@ class Path {
   void add_corner(const Eigen::Vector2d& from, const Eigen::Vector2d& corner, const Eigen::Vector2d& to,
                   double corner_radius);
   void add_piece(double length, double curvature);
+  void add_arc(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double curvature);
+  void turn_to(double heading);
   void find_stations(const std::vector<Eigen::Vector2d>& vertices, const std::vector<std::size_t>& bends);
 
   std::vector<PathPiece> pieces_;

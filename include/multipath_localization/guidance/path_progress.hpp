@@ -27,9 +27,9 @@ struct PassingRule {
 class PathProgress {
  public:
   /// The path through `vertices` in map [m], of which the `first` ones, one at least, lie behind, for a base
-  /// at `position`.
+  /// at `position`. `curvatures` are those of the ways to them, see Path; none where all corners are rounded.
   PathProgress(std::vector<Eigen::Vector2d> vertices, std::size_t first, const PassingRule& rule,
-               const Eigen::Vector2d& position);
+               const Eigen::Vector2d& position, const std::vector<double>& curvatures = {});
   /// A path from where the base is, whose end is the only waypoint: passed where the path ends, however near
   /// it comes by before.
   PathProgress(Path path, const PassingRule& rule);

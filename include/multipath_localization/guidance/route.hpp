@@ -13,6 +13,9 @@ struct WaypointTask {
   double speed = std::numeric_limits<double>::infinity();  ///< on the way to it, at most [m/s]
   double wait = 0.0;                                       ///< at rest there [s]; infinity: until resumed
   bool reverse = false;                                    ///< the way to it is driven backwards
+  /// Of the arc on the way to it, half a circle at most, to the left, 0 for a line [1/m]. Where a waypoint of
+  /// a route tells it, the ways to all others count as lines, and none is left out for lying near another.
+  std::optional<double> curvature = std::nullopt;
 };
 
 /// What to do along a route beside driving from waypoint to waypoint.
@@ -51,6 +54,7 @@ class Route {
   [[nodiscard]] const Eigen::Vector2d& waypoint(std::size_t ahead) const;
   /// Whether the robot comes to rest there: it waits, or turns to drive the other way.
   [[nodiscard]] bool stops(std::size_t ahead) const;
+  [[nodiscard]] bool has_arcs() const;  ///< or lines told as such: curvatures
 
  private:
   std::vector<Eigen::Vector2d> waypoints_;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,12 +18,21 @@ constexpr std::size_t kMostWaypoints = 10000;
 constexpr double kFarthestWaypoint =
     100e3;  ///< of map's origin, east or north [m]: there the Earth is curved
 
+/// What is to be done where the points are the border of a field to be worked on in strips.
+struct FieldTask {
+  double width;                                     ///< of a strip [m]
+  std::optional<double> heading = std::nullopt;     ///< of the tracks, counter-clockwise from east [rad]
+  std::optional<std::size_t> start = std::nullopt;  ///< the corner to begin at; none: the nearest
+  double speed = std::numeric_limits<double>::infinity();  ///< at most [m/s]
+};
+
 /// Places to drive to, as their owner wrote them down.
 struct WaypointList {
   bool on_earth = false;  ///< the points are latitude and longitude [deg], else x and y in map [m]
-  std::vector<Eigen::Vector2d> points;           ///< kMostWaypoints at most
-  std::optional<LocalFrame> map = std::nullopt;  ///< that x and y are in, when known
-  std::vector<WaypointTask> tasks = {};          ///< one for each point, or none at all
+  std::vector<Eigen::Vector2d> points;            ///< kMostWaypoints at most
+  std::optional<LocalFrame> map = std::nullopt;   ///< that x and y are in, when known
+  std::vector<WaypointTask> tasks = {};           ///< one for each point, or none at all
+  std::optional<FieldTask> field = std::nullopt;  ///< the points are its border, no waypoints
 };
 
 /// The same places on the ground with x and y in `map`; as they are where they are on Earth, or where one of
@@ -37,7 +47,7 @@ std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::op
 /// Appends a point of `map` [m], by latitude and longitude where the others are or where it is the first and
 /// `map` is known: such a list holds on another day, whatever map's origin then is. One in x and y is moved
 /// to `map`. Throws std::invalid_argument on a point that cannot be driven to, above kMostWaypoints, and
-/// where `map` is needed and not there.
+/// where `map` is needed and not there, and to a field.
 void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::optional<LocalFrame>& map);
 
 /// Waypoints of a file, in the order of driving; all of one kind. By its ending:
@@ -45,8 +55,9 @@ void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::o
 ///   .yaml, .yml  `waypoints:`, a list of `[x, y]`, `{x: , y: }` or `{latitude: , longitude: }`, the latter
 ///   two
 ///                with `speed`, `wait` (seconds, or `resume`) and `reverse` as wanted, see WaypointTask
-///   .geojson, .json, .kml  a line, or the outer ring of a polygon, else the points
-///   .gpx         the route, else the track, else the waypoints
+///   or `field:`, a FieldTask, with its `border`
+///   .geojson, .json, .kml  a line, or the outer ring of a polygon, else the points; a polygon of GeoJSON
+///   with the property `coverage_width` is a field .gpx         the route, else the track, else the waypoints
 ///   .plan, .waypoints  what QGroundControl, Mission Planner and others save, of waypoints alone
 /// A ring is driven round by `loop`. Nothing where there is no such file. Throws ParameterError,
 /// `FILE:LINE: reason`, on the first part that is anything else.

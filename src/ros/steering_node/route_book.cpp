@@ -2,8 +2,10 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "multipath_localization/guidance/field_route.hpp"
 #include "multipath_localization/guidance/goal_approach.hpp"
 #include "ros/messages/conversions.hpp"
 
@@ -57,6 +59,7 @@ void RouteBook::place_waypoints() {
   }
   try {
     const std::vector<Eigen::Vector2d> points = to_map(waypoints_, origin_);
+    if (waypoints_.field) return place_field(points);
     if (points.size() == mission_.follower().waypoints().size()) {
       mission_.move_waypoints(points);
     } else {
@@ -65,6 +68,34 @@ void RouteBook::place_waypoints() {
   } catch (const std::invalid_argument& reason) {
     mission_.stand_without_waypoints(reason.what());
   }
+}
+
+void RouteBook::place_field(const std::vector<Eigen::Vector2d>& border) {
+  const FieldTask& field = *waypoints_.field;
+  awaits_pose_ = !field.start;
+  if (awaits_pose_) {
+    mission_.stand_without_waypoints("waiting for the pose, to begin at the nearest corner of the field");
+    return;
+  }
+  const FieldRoute route = field_route(border, field, border[*field.start], parameters_.follower);
+  tasks_ = route.tasks;
+  if (route.waypoints.size() == mission_.follower().waypoints().size()) {
+    mission_.move_waypoints(route.waypoints);
+  } else {
+    mission_.set_waypoints(route.waypoints, route.tasks);
+  }
+}
+
+bool RouteBook::take_pose(const Pose2& pose) {
+  if (!awaits_pose_ || !waypoints_.field) return false;
+  const std::vector<Eigen::Vector2d> border = to_map(waypoints_, origin_);
+  const auto nearer = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return (a - pose.position()).norm() < (b - pose.position()).norm();
+  };
+  const auto nearest = std::min_element(border.begin(), border.end(), nearer);
+  waypoints_.field->start = static_cast<std::size_t>(nearest - border.begin());
+  place_waypoints();
+  return true;
 }
 
 bool RouteBook::take_waypoints(const geometry_msgs::PoseArray& message) {

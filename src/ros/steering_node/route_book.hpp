@@ -26,6 +26,10 @@ class RouteBook {
   /// Takes the origin of map. Returns whether the mission's waypoints are others by it.
   bool take_origin(const geometry_msgs::PoseStamped& message);
 
+  /// Takes where the robot is in map. A field without a corner to begin at begins at the nearest. Returns
+  /// whether the mission's waypoints are others by it.
+  bool take_pose(const Pose2& pose);
+
   /// Takes waypoints. An array of them that comes again restarts nothing: WaypointMission::offer_waypoints.
   /// Returns whether it changed the mission.
   bool take_waypoints(const geometry_msgs::PoseArray& message);
@@ -48,6 +52,8 @@ class RouteBook {
 
  private:
   void place_waypoints();
+  /// The way over a field within a border in map [m]; nothing, and why, while it waits for the pose.
+  void place_field(const std::vector<Eigen::Vector2d>& border);
   /// Offers waypoints in map to the mission; `what` they are is for the log.
   bool offer(const std::vector<Eigen::Vector2d>& points, const RouteTasks& tasks, const ros::Time& stamp,
              const std::string& what);
@@ -61,6 +67,7 @@ class RouteBook {
   RouteTasks tasks_;                       ///< along them
   std::optional<WaypointList> recording_;  ///< the waypoints and more, until they are saved
   std::optional<LocalFrame> origin_;       ///< of map, when known
+  bool awaits_pose_ = false;               ///< to begin a field
 };
 
 }  // namespace multipath_localization

@@ -64,6 +64,8 @@ void SteeringNode::take_pose(const nav_msgs::Odometry& message) {
     return;
   }
   pose_.take(message, ros::SteadyTime::now());
+  const std::optional<Pose2> pose = known_pose();
+  if (pose && routes_.take_pose(*pose)) outputs_.show_anew();
   drive();
 }
 
