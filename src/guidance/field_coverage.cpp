@@ -216,9 +216,7 @@ void CoveragePlanner::find_tracks() {
         });
       };
       if (std::none_of(reached.begin(), reached.end(), within)) continue;
-      const Eigen::Vector2d a(from, y);
-      const Eigen::Vector2d b(to, y);
-      tracks_.push_back({{a, b}, {outermost_.nearest(a), outermost_.nearest(b)}});
+      tracks_.push_back({{{from, y}, {to, y}}, {outermost_.nearest({from, y}), outermost_.nearest({to, y})}});
     }
   }
 }
@@ -261,13 +259,12 @@ std::vector<WayPoint> CoveragePlanner::plan(const Eigen::Vector2d& start) {
     driven = std::any_of(nearest.begin(), nearest.end(), drive);
   }
   require_little_left();
-  const std::vector<WayPoint> way = *rounded_way(corners_, rounding_);
-  std::vector<WayPoint> places;
-  for (const WayPoint& place : way) {
-    const bool same = !places.empty() && (place.position - places.back().position).norm() < kSamePlace;
-    if (!same) places.push_back(place);
-  }
-  return places;
+  std::vector<WayPoint> way = *rounded_way(corners_, rounding_);
+  const auto same = [](const WayPoint& a, const WayPoint& b) {
+    return (a.position - b.position).norm() < kSamePlace;
+  };
+  way.erase(std::unique(way.begin(), way.end(), same), way.end());
+  return way;
 }
 
 /// Throws std::invalid_argument where more than a little could not be turned to.
@@ -283,15 +280,6 @@ void CoveragePlanner::require_little_left() const {
   throw std::invalid_argument("the field has no room for the base to turn from track to track");
 }
 
-double heading_of_longest_edge(const Ring& ring) {
-  Eigen::Vector2d longest = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < ring.corners().size(); ++i) {
-    const Eigen::Vector2d edge = ring.corners()[(i + 1) % ring.corners().size()] - ring.corners()[i];
-    if (edge.norm() > longest.norm()) longest = edge;
-  }
-  return std::atan2(longest.y(), longest.x());
-}
-
 }  // namespace
 
 std::vector<WayPoint> coverage_of(const Field& field, double turning_radius, const Eigen::Vector2d& start) {
@@ -299,7 +287,7 @@ std::vector<WayPoint> coverage_of(const Field& field, double turning_radius, con
   if (!fault.empty()) throw std::invalid_argument("the border of the field has " + fault);
   if (field.border.size() > kMostCorners)
     throw std::invalid_argument("the border of the field has more than 500 corners");
-  const double heading = field.heading ? *field.heading : heading_of_longest_edge(Ring(field.border));
+  const double heading = field.heading ? *field.heading : Ring(field.border).longest_edge();
   const Pose2 tracks{0.0, 0.0, heading};  // along x of this frame
   std::vector<Eigen::Vector2d> border;
   for (const Eigen::Vector2d& corner : field.border) border.push_back(inverse(tracks) * corner);

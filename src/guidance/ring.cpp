@@ -29,6 +29,14 @@ Ring::Ring(std::vector<Eigen::Vector2d> corners) : corners_(std::move(corners)),
   }
 }
 
+double Ring::longest_edge() const {
+  Eigen::Vector2d longest = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    if ((next(i) - corners_[i]).norm() > longest.norm()) longest = next(i) - corners_[i];
+  }
+  return std::atan2(longest.y(), longest.x());
+}
+
 double Ring::within_round(double station) const {
   const double rest = std::fmod(station, length());
   return rest < 0.0 ? rest + length() : rest;

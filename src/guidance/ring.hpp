@@ -17,6 +17,7 @@ class Ring {
   [[nodiscard]] double length() const { return stations_.back(); }
   [[nodiscard]] double area() const { return area_; }  ///< [m^2]
   [[nodiscard]] double station(std::size_t corner) const { return stations_[corner]; }
+  [[nodiscard]] double longest_edge() const;  ///< its heading [rad]
   [[nodiscard]] Eigen::Vector2d at(double station) const;
   [[nodiscard]] double nearest(const Eigen::Vector2d& place) const;  ///< within the first round [m]
   [[nodiscard]] std::size_t nearest_corner(const Eigen::Vector2d& place) const;

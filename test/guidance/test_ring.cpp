@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "guidance/ring.hpp"
 
 namespace multipath_localization {
@@ -25,6 +27,10 @@ TEST(Ring, LeadsByItsCornersEitherWay) {
   ASSERT_EQ(back.size(), 3U);
   EXPECT_LT((back[0] - Eigen::Vector2d(4.0, 1.0)).norm(), 1e-12);
   EXPECT_LT((back[2] - Eigen::Vector2d(3.0, 0.0)).norm(), 1e-12);
+}
+
+TEST(Ring, KnowsItsLongestEdge) {
+  EXPECT_NEAR(Ring({{0.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}}).longest_edge(), std::atan2(-3.0, -2.0), 1e-12);
 }
 
 TEST(Ring, KnowsWhatItEncloses) {
