@@ -17,6 +17,15 @@ Weighing weighing_of(const MeasurementReport& report) {
           compared ? std::optional(told.nis) : std::nullopt};
 }
 
+/// Of the fixes that were compared with what was expected, in their order.
+std::vector<double> nis_of_fixes(const std::vector<Weighing>& weighings) {
+  std::vector<double> all;
+  for (const Weighing& weighing : weighings) {
+    if (weighing.kind == kFixKind && weighing.nis) all.push_back(*weighing.nis);
+  }
+  return all;
+}
+
 void run_over(const Drive& drive, const Batch& batch, const EstimatorFactory& make,
               const ProgressReport& progress, RunRecord& run) {
   if (batch.faults) run.drive = spoilt(drive, *batch.faults, batch.fault_seed + run.seed - 1);
@@ -50,6 +59,7 @@ void rate(const Drive& drive, const Batch& batch, RunRecord& run) {
   run.longest_beyond_3_sigma = longest_beyond_3_sigma(run.epochs, from);
   run.way_to_alignment = way_to_alignment(run.epochs);
   run.fixes = score_fixes(drive, from);
+  run.calibration = calibration(run.epochs, from, nis_of_fixes(run.weighings));
 }
 
 void make_run(const Stream& stream, const Batch& batch, const std::string& name,

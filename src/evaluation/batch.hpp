@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "evaluation/calibration.hpp"
 #include "evaluation/closed_loop.hpp"
 #include "evaluation/estimator_variant.hpp"
 #include "evaluation/parameter_overrides.hpp"
@@ -53,7 +54,8 @@ struct RunRecord {
   std::optional<double> longest_off;             ///< the estimate was off on end [s]
   std::optional<double> longest_beyond_3_sigma;  ///< by its own covariance, on end [s]
   std::optional<double> way_to_alignment;        ///< driven before the estimate was aligned [m]
-  Course course;                                 ///< scenarios only
+  Calibration calibration;
+  Course course;  ///< scenarios only
   /// What became of the measurements, by kind, those that the reader left out among them; recordings only.
   std::array<ReasonTally, std::variant_size_v<Measurement>> fates;
   double cpu = 0.0;  ///< processor time of the thread, the simulator's included [s]

@@ -158,6 +158,7 @@ TruthSample read_truth_sample(const CsvTable& table, std::size_t row, const Loca
   sample.base_in_map = {position.x(), position.y(),
                         sample.has_yaw ? table.number(row, "yaw", kMostTurned) : 0.0};
   if (table.has("shadow")) sample.shadow = table.number(row, "shadow") != 0.0;
+  if (table.has("wheel_fault")) sample.wheel_fault = table.number(row, "wheel_fault") != 0.0;
   return sample;
 }
 

@@ -39,6 +39,7 @@ struct TruthSample {
   Pose2 base_in_map;   ///< yaw counts only when `has_yaw`
   bool has_yaw = false;
   std::optional<bool> shadow;  ///< whether fixes are biased here, where the recording says so
+  std::optional<bool> wheel_fault = std::nullopt;  ///< whether the wheels slip, lock or say nothing, likewise
 };
 
 /// A recording: what a robot's sensors said and where it truly was, in one ENU map frame.
@@ -75,9 +76,9 @@ Eigen::Vector2d antenna_in_map(const TruthSample& truth, const Eigen::Vector2d& 
 std::string fix_file_of(std::size_t receiver);
 
 /// Reads `odometry.csv` (t, vx, wz; optional vy, duration), `truth.csv` (t, lat_deg, lon_deg; optional alt_m,
-/// yaw, shadow) and `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional alt_m,
-/// t_arrival, status as of NavSatStatus, whose -1 is refused as no fix, antenna_x_m with antenna_y_m, the
-/// lever arm) with the like `fix_2.csv`, `fix_3.csv`, ... of further receivers, or `pseudoranges.csv`
+/// yaw, shadow, wheel_fault) and `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional
+/// alt_m, t_arrival, status as of NavSatStatus, whose -1 is refused as no fix, antenna_x_m with antenna_y_m,
+/// the lever arm) with the like `fix_2.csv`, `fix_3.csv`, ... of further receivers, or `pseudoranges.csv`
 /// (PseudorangeFile) or both of a directory, and where they are there `gyro.csv` (t, yaw_rate_radps; optional
 /// t_arrival) and `velocity.csv` (t, east_mps, north_mps, sigma_mps; optional t_arrival) of the antenna;
 /// other columns are left alone. Times are seconds up to

@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <locale>
 #include <optional>
+#include <vector>
 
 #include "multipath_localization/core/covariance.hpp"
 
@@ -27,6 +28,12 @@ class CsvFile {
   void row(double first, const Numbers&... others) {
     out_ << first;
     ((out_ << ',' << others), ...);
+    out_ << "\n";
+  }
+
+  void row(double first, const std::vector<double>& others) {
+    out_ << first;
+    for (const double other : others) out_ << ',' << other;
     out_ << "\n";
   }
 
@@ -61,16 +68,17 @@ void write_fixes(const Drive& drive, std::size_t receiver, const LocalFrame& map
 }
 
 void write_truth(const Drive& drive, const LocalFrame& map, const fs::path& folder) {
-  const bool shadows = !drive.truth.empty() && drive.truth.front().shadow.has_value();
-  CsvFile file(folder / "truth.csv", std::string("t,lat_deg,lon_deg,yaw") + (shadows ? ",shadow" : ""));
+  const TruthSample first = drive.truth.empty() ? TruthSample() : drive.truth.front();
+  std::string header = "t,lat_deg,lon_deg,yaw";
+  if (first.shadow) header += ",shadow";
+  if (first.wheel_fault) header += ",wheel_fault";
+  CsvFile file(folder / "truth.csv", header);
   for (const TruthSample& sample : drive.truth) {
     const Geodetic point = map.to_geodetic(sample.base_in_map.position());
-    const double yaw = sample.base_in_map.yaw;
-    if (shadows) {
-      file.row(sample.stamp, point.latitude_deg, point.longitude_deg, yaw, sample.shadow.value_or(false));
-    } else {
-      file.row(sample.stamp, point.latitude_deg, point.longitude_deg, yaw);
-    }
+    std::vector<double> row = {point.latitude_deg, point.longitude_deg, sample.base_in_map.yaw};
+    if (first.shadow) row.push_back(sample.shadow.value_or(false) ? 1.0 : 0.0);
+    if (first.wheel_fault) row.push_back(sample.wheel_fault.value_or(false) ? 1.0 : 0.0);
+    file.row(sample.stamp, row);
   }
   file.close();
 }

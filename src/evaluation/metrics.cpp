@@ -43,16 +43,6 @@ std::optional<double> mean(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-Eigen::Vector2d error_of(const Epoch& epoch) {
-  return epoch.estimate.position() - epoch.truth.base_in_map.position();
-}
-
-double nees_of(const Epoch& epoch) {
-  const Eigen::Vector2d error = error_of(epoch);
-  const Eigen::Matrix2d P = epoch.position_covariance + kResolution * Eigen::Matrix2d::Identity();
-  return error.dot(P.ldlt().solve(error));
-}
-
 /// The longest time on end [s] that `holds`, from the first valid epoch on; a stretch ends with the first
 /// epoch that is out of it.
 std::optional<double> longest(const std::vector<Epoch>& epochs, double from,
@@ -91,6 +81,16 @@ void summarise(const std::vector<PositionError>& errors, Score& score) {
 }
 
 }  // namespace
+
+Eigen::Vector2d error_of(const Epoch& epoch) {
+  return epoch.estimate.position() - epoch.truth.base_in_map.position();
+}
+
+double nees_of(const Epoch& epoch) {
+  const Eigen::Vector2d error = error_of(epoch);
+  const Eigen::Matrix2d P = epoch.position_covariance + kResolution * Eigen::Matrix2d::Identity();
+  return error.dot(P.ldlt().solve(error));
+}
 
 double quantile(std::vector<double> values, double fraction) {
   std::sort(values.begin(), values.end());

@@ -20,7 +20,17 @@ struct Epoch {
   Pose2 estimate;  ///< base in map
   Eigen::Matrix2d position_covariance =
       Eigen::Matrix2d::Identity();  ///< of all hypotheses, as published [m^2]
+  double yaw_variance = 0.0;        ///< as published [rad^2]
+  double shadow_probability = 0.0;
+  double wheel_fault_probability = 0.0;
 };
+
+/// Estimate minus truth, in map [m].
+Eigen::Vector2d error_of(const Epoch& epoch);
+
+/// Normalised estimation error squared of position, 2 degrees of freedom. One square millimetre is added to
+/// the declared variances, so that it is finite where they are zero.
+double nees_of(const Epoch& epoch);
 
 /// How far off the estimates were. Distances are horizontal.
 struct Score {
@@ -34,10 +44,8 @@ struct Score {
   std::optional<double> heading_rmse;  ///< over the samples whose truth has a heading [rad]
   std::optional<double> rmse_shadow;   ///< over the samples flagged as shadow [m]
   std::optional<double> rmse_open;     ///< over the samples flagged as open [m]
-  /// Normalised estimation error squared of position, 2 degrees of freedom: 2 is ideal. One square millimetre
-  /// is added to the declared variances, so that it is finite where they are zero.
-  std::optional<double> nees_mean;
-  std::optional<double> in_ellipse;  ///< fraction inside the estimate's own 95 % ellipse
+  std::optional<double> nees_mean;     ///< of `nees_of`: 2 is ideal
+  std::optional<double> in_ellipse;    ///< fraction inside the estimate's own 95 % ellipse
 };
 
 /// Epochs stamped `from` or later. A figure that applies to no epoch is empty.

@@ -1,5 +1,6 @@
 #include "evaluation/progress.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 #include <string>
@@ -30,13 +31,23 @@ void ProgressBar::update(std::size_t run, double fraction) {
   if (percent != drawn_percent_) draw(percent);
 }
 
+std::string ProgressBar::to_go(int percent) const {
+  if (percent == 0 || percent == 100) return "";
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun_;
+  const double minutes = passed.count() / 60.0 * (100 - percent) / percent;
+  char text[32];
+  std::snprintf(text, sizeof(text), ", %.0f min to go ", std::ceil(minutes));
+  return text;
+}
+
 void ProgressBar::draw(int percent) {
   drawn_percent_ = percent;
   std::size_t ended = 0;
   for (const double fraction : fractions_) ended += fraction >= 1.0 ? 1 : 0;
   const auto full = static_cast<std::size_t>(kWidth * percent / 100);
   const std::string bar = std::string(full, '#') + std::string(kWidth - full, '.');
-  std::fprintf(stderr, "\r[%s] %3d %%  %zu of %zu runs", bar.c_str(), percent, ended, fractions_.size());
+  std::fprintf(stderr, "\r[%s] %3d %%  %zu of %zu runs%s", bar.c_str(), percent, ended, fractions_.size(),
+               to_go(percent).c_str());
   std::fflush(stderr);
 }
 

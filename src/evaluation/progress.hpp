@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <mutex>
+#include <string>
 #include <vector>
 
 namespace multipath_localization {
@@ -20,8 +22,10 @@ class ProgressBar {
 
  private:
   void draw(int percent);
+  [[nodiscard]] std::string to_go(int percent) const;
 
   bool on_terminal_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   std::mutex mutex_;
   std::vector<double> fractions_;
   int drawn_percent_ = -1;

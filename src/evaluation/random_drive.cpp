@@ -25,6 +25,7 @@ std::vector<TruthSample> truth_of(const RandomRobot& robot) {
     sample.base_in_map = robot.steps[n * stride - 1].base_in_map;
     sample.has_yaw = true;
     sample.shadow = shadow_at(robot.receiver, sample.base_in_map.position()) != nullptr;
+    sample.wheel_fault = robot.odometry.faulty(sample.stamp, sample.stamp);
     truth.push_back(sample);
   }
   return truth;

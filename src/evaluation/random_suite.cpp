@@ -1,6 +1,7 @@
 #include "evaluation/random_suite.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "evaluation/json.hpp"
 #include "evaluation/oracle.hpp"
@@ -59,27 +60,40 @@ void run_variant(const Stream& stream, const Batch& batch, const std::vector<std
     make_run(stream, batch, batch.estimators[variant].name, parameters[variant], nullptr, run);
   }
   run.epochs = {};
+  run.weighings = {};
+}
+
+std::vector<RunRecord> run_seed(const Batch& batch, std::uint64_t seed, const RandomExtras& extras,
+                                const std::vector<std::string>& parameters,
+                                const std::function<void(double)>& progress) {
+  const std::size_t all = batch.estimators.size() + 1;
+  RandomDrive made = random_drive(seed, extras);
+  std::vector<RunRecord> runs(all, run_over(made, batch, seed));
+  run_oracle_over(made, batch, runs.back());
+  const Stream stream = std::move(made.drive);
+  for (std::size_t variant = 0; variant < all; ++variant) {
+    run_variant(stream, batch, parameters, variant, runs[variant]);
+    progress(static_cast<double>(variant + 1) / static_cast<double>(all));
+  }
+  return runs;
 }
 
 }  // namespace
 
-std::vector<RunRecord> run_random(const Batch& batch, const RandomExtras& extras,
-                                  const std::vector<std::string>& parameters,
-                                  const std::function<void(std::size_t, double)>& progress) {
-  const std::size_t all = batch.estimators.size() + 1;
-  std::vector<RunRecord> runs(all * batch.seeds);
-  for_each_index(batch.seeds, batch.jobs, [&](std::size_t i) {
-    RandomDrive made = random_drive(batch.first_seed + i, extras);
-    const RunRecord over = run_over(made, batch, batch.first_seed + i);
-    for (std::size_t variant = 0; variant < all; ++variant) runs[variant * batch.seeds + i] = over;
-    run_oracle_over(made, batch, runs[batch.estimators.size() * batch.seeds + i]);
-    const Stream stream = std::move(made.drive);
-    for (std::size_t variant = 0; variant < all; ++variant) {
-      run_variant(stream, batch, parameters, variant, runs[variant * batch.seeds + i]);
-      if (progress) progress(i, static_cast<double>(variant + 1) / static_cast<double>(all));
-    }
+std::vector<RunRecord> run_random(const Batch& batch, const std::vector<std::uint64_t>& seeds,
+                                  const RandomExtras& extras, const std::vector<std::string>& parameters,
+                                  const std::function<void(std::size_t, double)>& progress,
+                                  const std::function<void(const std::vector<RunRecord>&)>& ended) {
+  std::vector<std::vector<RunRecord>> by_seed(seeds.size());
+  for_each_index(seeds.size(), batch.jobs, [&](std::size_t i) {
+    by_seed[i] = run_seed(batch, seeds[i], extras, parameters, [&](double part) {
+      if (progress) progress(i, part);
+    });
+    if (ended) ended(by_seed[i]);
   });
-  return runs;
+  std::vector<RunRecord> all;
+  for (std::vector<RunRecord>& runs : by_seed) std::move(runs.begin(), runs.end(), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace multipath_localization

@@ -143,6 +143,9 @@ Epoch epoch_of(const PoseEstimate& estimate, const TruthSample& truth,
   epoch.aligned = estimate.aligned;
   epoch.estimate = estimate.pose * displacement(carry);
   epoch.position_covariance = estimate.position_covariance_overall;
+  epoch.yaw_variance = estimate.covariance(2, 2);
+  epoch.shadow_probability = estimate.shadow_probability;
+  epoch.wheel_fault_probability = estimate.wheel_fault_probability;
   return epoch;
 }
 

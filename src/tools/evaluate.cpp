@@ -12,10 +12,11 @@
 #include <sstream>
 
 #include "evaluation/batch.hpp"
+#include "evaluation/calibration_report.hpp"
 #include "evaluation/drive_files.hpp"
 #include "evaluation/progress.hpp"
-#include "evaluation/random_suite.hpp"
 #include "evaluation/report.hpp"
+#include "evaluation/results_file.hpp"
 #include "evaluation/shortcomings.hpp"
 #include "evaluation/standings.hpp"
 #include "evaluation/suite.hpp"
@@ -25,6 +26,7 @@
 #include "ros/fault_injector_node/fault_injector.hpp"
 #include "tools/evaluate/command_line.hpp"
 #include "tools/evaluate/options.hpp"
+#include "tools/evaluate/random_runs.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -191,30 +193,18 @@ int report_failures(const std::vector<RunRecord>& runs) {
   return failed;
 }
 
-std::vector<RunRecord> make_random_runs(const Options& options) {
+std::vector<RunRecord> run_random_robots(const Options& options) {
   Batch batch = options.batch;
   batch.source = kRandomSuite;
   Stream recording = Drive();
   const std::vector<std::string> parameters = settle_parameters(options.assignments, batch, recording);
-  ProgressBar bar(batch.seeds, isatty(STDERR_FILENO) != 0);
-  return run_random(batch, options.extras, parameters,
-                    [&](std::size_t i, double part) { bar.update(i, part); });
-}
-
-int write_random_drives(const Options& options) {
-  const std::uint64_t first = options.batch.first_seed;
-  for (std::uint64_t seed = first; seed < first + options.batch.seeds; ++seed) {
-    const RandomDrive made = random_drive(seed, options.extras);
-    const std::string directory = (fs::path(options.write_directory) / made.drive.name).string();
-    write_drive(made.drive, directory);
-    std::cout << directory << ": " << describe(made.robot) << "\n";
-  }
-  return 0;
+  return make_random_runs(options, batch, parameters);
 }
 
 /// Prints what suites over drives end with, and writes what was asked for.
 int report_standings(const Options& options, const std::vector<RunRecord>& runs) {
-  std::cout << describe_standings(runs);
+  if (runs.empty()) throw UsageError("there are no runs");
+  std::cout << describe_standings(runs) << "\n" << describe_calibration(runs);
   if (!options.json_file.empty()) write_file(options.json_file, to_json(runs));
   return report_failures(runs) == 0 ? 0 : 1;
 }
@@ -230,8 +220,9 @@ void write_results(const Options& options, const Stream& first, const std::vecto
 }
 
 int evaluate(const Options& options) {
-  if (!options.write_directory.empty()) return write_random_drives(options);
-  if (options.suite == kRandomSuite) return report_standings(options, make_random_runs(options));
+  if (!options.write_directory.empty()) return write_random_drives(options), 0;
+  if (options.sums_up()) return report_standings(options, read_results(options.results_files));
+  if (options.suite == kRandomSuite) return report_standings(options, run_random_robots(options));
   std::vector<NamedStream> streams = open_streams(options);
   for (NamedStream& named : streams) {
     auto* drive = std::get_if<Drive>(&named.stream);

@@ -6,12 +6,12 @@
 namespace multipath_localization {
 namespace {
 
+const std::vector<std::uint64_t> kSeeds = {3, 4, 5};
+
 Batch batch_of(std::size_t jobs) {
   Batch batch;
   batch.source = "random";
   batch.estimators = {{"gated_ekf", "gated_ekf", ""}, {"two_stage_ekf", "two_stage_ekf", ""}};
-  batch.first_seed = 3;
-  batch.seeds = 3;
   batch.jobs = jobs;
   batch.score_from = 60.0;
   return batch;
@@ -19,22 +19,27 @@ Batch batch_of(std::size_t jobs) {
 
 /// The runs as JSON, without their processor times.
 std::string results(std::size_t jobs) {
-  std::vector<RunRecord> runs = run_random(batch_of(jobs), {}, {"{}", "{}"}, nullptr);
+  std::vector<RunRecord> runs = run_random(batch_of(jobs), kSeeds, {}, {"{}", "{}"}, nullptr);
   for (RunRecord& run : runs) run.cpu = 0.0;
   return to_json(runs);
 }
 
 TEST(RandomSuite, RunsEveryEstimatorAndTheOracleWithEverySeed) {
-  const std::vector<RunRecord> runs = run_random(batch_of(1), {}, {"{}", "{}"}, nullptr);
+  std::size_t ended = 0;
+  const std::vector<RunRecord> runs =
+      run_random(batch_of(1), kSeeds, {}, {"{}", "{}"}, nullptr,
+                 [&](const std::vector<RunRecord>& of_seed) { ended += of_seed.size(); });
   ASSERT_EQ(runs.size(), 9u);
+  EXPECT_EQ(ended, 9u);
   EXPECT_EQ(runs[0].estimator, "gated_ekf");
-  EXPECT_EQ(runs[3].estimator, "two_stage_ekf");
-  EXPECT_EQ(runs[6].estimator, kOracle);
+  EXPECT_EQ(runs[1].estimator, "two_stage_ekf");
+  EXPECT_EQ(runs[2].estimator, kOracle);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    EXPECT_EQ(runs[i].seed, 3 + i % 3);
+    EXPECT_EQ(runs[i].seed, kSeeds[i / 3]);
     EXPECT_TRUE(runs[i].score.rmse) << runs[i].failure;
     EXPECT_FALSE(runs[i].kind.empty());
-    EXPECT_EQ(runs[i].about, runs[i % 3].about);
+    EXPECT_EQ(runs[i].about, runs[i / 3 * 3].about);
+    EXPECT_GT(runs[i].calibration.time, 0.0);
   }
 }
 

@@ -87,6 +87,14 @@ void refuse_for_suites(const po::variables_map& given, const Options& options) {
   if (options.suite == kRandomSuite && given.count("known-start") > 0) {
     throw UsageError("--known-start: random robots start nowhere in particular");
   }
+  const bool one_stream = given.count("drive") + given.count("bag") + given.count("scenario") > 0;
+  if ((one_stream || (!options.suite.empty() && options.suite != kRandomSuite)) &&
+      !options.results_files.empty()) {
+    throw UsageError("--results is for --suite random, or alone");
+  }
+  if (options.suite == kRandomSuite && options.results_files.size() > 1) {
+    throw UsageError("--suite random keeps its runs in one file of results");
+  }
 }
 
 }  // namespace
@@ -104,10 +112,14 @@ Options read_options(const po::variables_map& given) {
     if (given[key].as<int>() < 1) throw UsageError(std::string("--") + key + " is less than 1");
     return static_cast<std::size_t>(given[key].as<int>());
   };
-  if (given.count("drive") + given.count("bag") + given.count("scenario") + given.count("suite") != 1) {
-    throw UsageError("give one of --drive, --bag, --scenario, --suite; --help tells more");
-  }
   Options options;
+  if (given.count("results") > 0) options.results_files = given["results"].as<std::vector<std::string>>();
+  const std::size_t streams =
+      given.count("drive") + given.count("bag") + given.count("scenario") + given.count("suite");
+  if (streams > 1 || (streams == 0 && options.results_files.empty())) {
+    throw UsageError(
+        "give one of --drive, --bag, --scenario, --suite, or --results alone; --help tells more");
+  }
   options.drive = text("drive");
   options.bag = text("bag");
   options.scenario = text("scenario");

@@ -31,11 +31,14 @@ struct Options {
   std::string plot_file;
   std::string report_file;
   std::string write_directory;
+  std::vector<std::string> results_files;
   RandomExtras extras;
   RandomExtras left_aside;
 
   /// Whether the suite is made of many drives that are summed up, instead of scenarios.
   [[nodiscard]] bool over_drives() const;
+  /// Whether nothing is to be run, but told what files of results hold.
+  [[nodiscard]] bool sums_up() const { return suite.empty() && !results_files.empty(); }
   /// The directory of a suite of recordings; empty for others.
   [[nodiscard]] std::string drives_directory() const;
 };

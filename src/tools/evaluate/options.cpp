@@ -90,6 +90,9 @@ po::options_description run_options() {
   add("score-from", po::value<double>()->value_name("S"),
       "score from S seconds on; left out: from 60 for suites over drives, from 0 for others");
   add("json", text("FILE"), "write the figures of each run");
+  add("results", po::value<std::vector<std::string>>()->multitoken()->value_name("FILE"),
+      "keep the runs of --suite random in FILE as they end, and make only those that it does not hold yet; "
+      "without a suite: how the estimators stand over all runs in FILE, or in several");
   add("write", text("DIR"),
       "instead of running anything: write the drives of --suite random as DIR/random_SEED");
   add("plot", text("FILE.png"), "draw the first seed: trajectories, error and declared error over time");
