@@ -18,6 +18,7 @@ class FixBlock {
 
   void add(const GnssFix& fix) { fixes_.push_back(fix); }
 
+  [[nodiscard]] bool empty() const { return fixes_.empty(); }
   [[nodiscard]] std::size_t size() const { return fixes_.size(); }
 
   /// The fixes as one, those that agree by a heading of `yaw` [rad]; forgets them. At least one has to be

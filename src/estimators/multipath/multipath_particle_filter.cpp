@@ -230,6 +230,9 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   if (state_->cloud.empty()) return;
   state_->odometry.add(u);
   state_->wheels.add(u);
+  for (auto& [number, receiver] : state_->receivers) {
+    if (receiver.overdue(u.stamp)) state_->weigh(receiver, parameters_);
+  }
   if (state_->odometry.duration() <= kLongestSum) return;
   state_->doubt_wheels();
   state_->flush();
@@ -255,7 +258,7 @@ Innovation MultipathParticleFilter::update(const Measurement& z) {
                       receiver.fixes_in_block() * errors.white_variance * Eigen::Matrix2d::Identity();
   result.nis = result.innovation.dot(result.covariance.inverse() * result.innovation);
   state_->carry_blocks();
-  receiver.add(fix);
+  receiver.add(fix, state_->now);
   if (receiver.due(state_->now)) state_->weigh(receiver, parameters_);
   return result;
 }

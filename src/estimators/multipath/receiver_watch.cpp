@@ -18,6 +18,8 @@ constexpr double kFloat = 0.3;  ///< and more than that before [m]
 
 bool ReceiverWatch::due(double now) const { return now - weighed_ >= kBlock; }
 
+bool ReceiverWatch::overdue(double now) const { return !block_.empty() && now - added_ >= kBlock; }
+
 Sighting ReceiverWatch::take(double now, double yaw) {
   Sighting sighting;
   fixes_in_block_ = static_cast<double>(block_.size());

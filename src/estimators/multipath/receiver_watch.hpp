@@ -21,7 +21,8 @@ class ReceiverWatch {
 
   /// Why a fix is unusable, or nothing.
   std::optional<Reason> defect(const GnssFix& fix) { return check_.defect(fix); }
-  void add(const GnssFix& fix) { block_.add(fix); }
+  /// Takes a usable fix `now` [s].
+  void add(const GnssFix& fix, double now) { block_.add(fix), added_ = now; }
   /// The base has moved on by that, in its own frame.
   void move(const Pose2& step) { block_.move(step); }
   /// A first fix has been used otherwise.
@@ -29,6 +30,9 @@ class ReceiverWatch {
 
   /// Whether its fixes are to be weighed now [s].
   [[nodiscard]] bool due(double now) const;
+  /// Whether fixes wait for others that do not come. Carried on through an outage they would speak for its
+  /// odometry instead of the first fixes after it.
+  [[nodiscard]] bool overdue(double now) const;
   /// Its fixes as one, those that agree by a heading of `yaw` [rad], and what led up to it as far as it is
   /// this receiver's.
   Sighting take(double now, double yaw);
@@ -41,6 +45,7 @@ class ReceiverWatch {
   FixCheck check_;
   FixBlock block_;
   double weighed_;                  ///< last [s]
+  double added_ = 0.0;              ///< the last fix [s]
   double declared_ = 0.0;           ///< last [m]
   double reacquired_ = -kSettling;  ///< when it began anew [s]
   double fixes_in_block_ = 1.0;

@@ -133,6 +133,27 @@ TEST(MultipathParticleFilter, DoesNotTakeForGrantedWhatFixesSayAfterAnOutage) {
   EXPECT_LE(captured, kSeeds / 3);
 }
 
+/// Some fixes of a second wait for the others when an outage begins.
+TEST(MultipathParticleFilter, GoesByTheFixesAfterAnOutageNotByThoseBeforeIt) {
+  constexpr int kSeeds = 8;
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SimulatedDrive robot(seed);
+    robot.speed = 15.0;
+    robot.bend = 0.1;
+    robot.fix_sigma = 0.02;
+    robot.status = FixStatus::kGroundBased;
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.4);
+    robot.receiving = false;
+    robot.run(localizer, 60.0);
+    robot.receiving = true;
+    robot.run(localizer, 3.0);
+    found += position_error(localizer.estimate(), robot.truth).norm() < 0.5 ? 1 : 0;
+  }
+  EXPECT_GE(found, 6);
+}
+
 TEST(MultipathParticleFilter, DoesNotTakeAWrongAmbiguityAfterAFloatForTheTruth) {
   constexpr int kSeeds = 8;
   int captured = 0;

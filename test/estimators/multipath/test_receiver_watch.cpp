@@ -12,7 +12,7 @@ GnssFix fix_of(double sigma) {
 }
 
 Sighting sighting_of(ReceiverWatch& watch, double now, double sigma) {
-  watch.add(fix_of(sigma));
+  watch.add(fix_of(sigma), now);
   return watch.take(now, 0.0);
 }
 
@@ -20,7 +20,7 @@ TEST(ReceiverWatch, WaitsForASecondOfFixes) {
   ReceiverWatch watch(10.0);
   EXPECT_FALSE(watch.due(10.8));
   EXPECT_TRUE(watch.due(11.0));
-  for (int i = 0; i < 5; ++i) watch.add(fix_of(1.0));
+  for (int i = 0; i < 5; ++i) watch.add(fix_of(1.0), 10.2 + 0.2 * i);
   EXPECT_EQ(watch.take(11.0, 0.0).duration, 1.0);
   EXPECT_EQ(watch.fixes_in_block(), 5.0);
   EXPECT_FALSE(watch.due(11.8));
@@ -35,6 +35,16 @@ TEST(ReceiverWatch, TellsThatAReceiverHasFixedItsAmbiguitiesAnew) {
   EXPECT_FALSE(sighting_of(watch, 3.0, 0.02).refixed);
   EXPECT_TRUE(sighting_of(watch, 6.0, 0.02).reacquired);
   EXPECT_FALSE(sighting_of(watch, 8.0, 0.02).reacquired);
+}
+
+TEST(ReceiverWatch, DoesNotWaitForFixesThatDoNotCome) {
+  ReceiverWatch watch(0.0);
+  EXPECT_FALSE(watch.overdue(5.0));
+  watch.add(fix_of(1.0), 5.0);
+  EXPECT_FALSE(watch.overdue(5.8));
+  EXPECT_TRUE(watch.overdue(6.0));
+  watch.take(6.0, 0.0);
+  EXPECT_FALSE(watch.overdue(60.0));
 }
 
 TEST(ReceiverWatch, TellsThatAReceiverHasBeenAway) {
