@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace multipath_localization {
 
@@ -70,18 +71,18 @@ double dot(const double* weight, const float* label, std::size_t size) {
 }  // namespace
 
 void ParticleCloud::reset(std::size_t size) {
-  for (auto* values : {&x_, &y_, &yaw_, &log_weight_}) values->assign(size, 0.0);
+  for (auto* values : {&now_.x, &now_.y, &now_.yaw, &log_weight_}) values->assign(size, 0.0);
   factor_.resize(size);
   has_factors_ = false;
-  member_.assign(size, 1.0F);
-  label_.assign(size, 0.0F);
+  now_.member.assign(size, 1.0F);
+  now_.label.assign(size, 0.0F);
   weights_.set_equal(size);
 }
 
 void ParticleCloud::set_pose(std::size_t i, const Pose2& pose) {
-  x_[i] = pose.x;
-  y_[i] = pose.y;
-  yaw_[i] = pose.yaw;
+  now_.x[i] = pose.x;
+  now_.y[i] = pose.y;
+  now_.yaw[i] = pose.yaw;
 }
 
 void ParticleCloud::set_log_weight(std::size_t i, double log_weight) {
@@ -95,11 +96,11 @@ void ParticleCloud::take_in(const double* factor, double* log_weight, std::size_
 
 PoseBlock ParticleCloud::poses(std::size_t block) {
   const std::size_t first = block_begin(block);
-  return {&x_[first], &y_[first], &yaw_[first], block_length(block, size())};
+  return {&now_.x[first], &now_.y[first], &now_.yaw[first], block_length(block, size())};
 }
 
 void ParticleCloud::add_block(std::size_t block, const Pose2& reference, PoseSums& sums) {
-  const float* members = &member_[block_begin(block)];
+  const float* members = &now_.member[block_begin(block)];
   sums.add(weights_.scale(block),
            pose_sums(set_, poses(block), weights_.relative(block), members, reference));
 }
@@ -107,8 +108,8 @@ void ParticleCloud::add_block(std::size_t block, const Pose2& reference, PoseSum
 double ParticleCloud::mean_label() const {
   double sum = 0.0;
   for (std::size_t block = 0; block < blocks_of(size()); ++block) {
-    sum += weights_.scale(block) *
-           run<dot>(set_, weights_.relative(block), &label_[block_begin(block)], block_length(block, size()));
+    sum += weights_.scale(block) * run<dot>(set_, weights_.relative(block), &now_.label[block_begin(block)],
+                                            block_length(block, size()));
   }
   return sum;
 }
@@ -117,9 +118,9 @@ PoseNeighbourhood ParticleCloud::dominant_neighbourhood(double distance, double 
   Probes probes;
   const auto drawn = evenly_drawn(weights_);
   for (std::size_t k = 0; k < kProbes; ++k) {
-    probes.x[k] = x_[drawn[k]];
-    probes.y[k] = y_[drawn[k]];
-    probes.yaw[k] = yaw_[drawn[k]];
+    probes.x[k] = now_.x[drawn[k]];
+    probes.y[k] = now_.y[drawn[k]];
+    probes.yaw[k] = now_.yaw[drawn[k]];
   }
   PoseNeighbourhood dominant;
   int most = -1;
@@ -138,7 +139,7 @@ PoseNeighbourhood ParticleCloud::dominant_neighbourhood(double distance, double 
 PoseSums ParticleCloud::choose_members(const PoseNeighbourhood& within) {
   PoseSums sums;
   for (std::size_t block = 0; block < blocks_of(size()); ++block) {
-    mark_members(set_, poses(block), within, &member_[block_begin(block)]);
+    mark_members(set_, poses(block), within, &now_.member[block_begin(block)]);
     add_block(block, within.centre, sums);
   }
   return sums;
@@ -147,21 +148,17 @@ PoseSums ParticleCloud::choose_members(const PoseNeighbourhood& within) {
 /// In plain code, because the gathering instructions of AVX2 are slower than single loads.
 void ParticleCloud::select(const std::vector<std::uint32_t>& ancestors) {
   const std::size_t size = ancestors.size();
-  for (auto* values : {&spare_x_, &spare_y_, &spare_yaw_}) values->resize(size);
-  for (auto* values : {&spare_member_, &spare_label_}) values->resize(size);
+  for (auto* values : {&spare_.x, &spare_.y, &spare_.yaw}) values->resize(size);
+  for (auto* values : {&spare_.member, &spare_.label}) values->resize(size);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t ancestor = ancestors[i];
-    spare_x_[i] = x_[ancestor];
-    spare_y_[i] = y_[ancestor];
-    spare_yaw_[i] = yaw_[ancestor];
-    spare_member_[i] = member_[ancestor];
-    spare_label_[i] = label_[ancestor];
+    spare_.x[i] = now_.x[ancestor];
+    spare_.y[i] = now_.y[ancestor];
+    spare_.yaw[i] = now_.yaw[ancestor];
+    spare_.member[i] = now_.member[ancestor];
+    spare_.label[i] = now_.label[ancestor];
   }
-  x_.swap(spare_x_);
-  y_.swap(spare_y_);
-  yaw_.swap(spare_yaw_);
-  member_.swap(spare_member_);
-  label_.swap(spare_label_);
+  std::swap(now_, spare_);
   log_weight_.assign(size, 0.0);
   factor_.resize(size);
   has_factors_ = false;

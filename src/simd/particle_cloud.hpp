@@ -20,10 +20,10 @@ class ParticleCloud {
   /// `size` particles at the origin, equally weighted, all of them members.
   void reset(std::size_t size);
 
-  [[nodiscard]] std::size_t size() const { return x_.size(); }
-  [[nodiscard]] bool empty() const { return x_.empty(); }
+  [[nodiscard]] std::size_t size() const { return now_.x.size(); }
+  [[nodiscard]] bool empty() const { return now_.x.empty(); }
   [[nodiscard]] InstructionSet instruction_set() const { return set_; }
-  [[nodiscard]] Pose2 pose(std::size_t i) const { return {x_[i], y_[i], yaw_[i]}; }
+  [[nodiscard]] Pose2 pose(std::size_t i) const { return {now_.x[i], now_.y[i], now_.yaw[i]}; }
   void set_pose(std::size_t i, const Pose2& pose);
 
   [[nodiscard]] const BlockWeights& weights() const { return weights_; }
@@ -31,7 +31,7 @@ class ParticleCloud {
   void set_log_weight(std::size_t i, double log_weight);
 
   /// A number that goes with each particle when resampled, of the caller's choice.
-  [[nodiscard]] float label(std::size_t i) const { return label_[i]; }
+  [[nodiscard]] float label(std::size_t i) const { return now_.label[i]; }
 
   /// Calls `move(poses, first)` for each block and gives the sums of where its members then are.
   /// `first` is the number of the block's first particle.
@@ -54,7 +54,7 @@ class ParticleCloud {
       double* log_weight = &log_weight_[block_begin(block)];
       double* factor = &factor_[block_begin(block)];
       if (has_factors_) take_in(factor, log_weight, block_length(block, size()));
-      add(poses(block), log_weight, factor, &label_[block_begin(block)]);
+      add(poses(block), log_weight, factor, &now_.label[block_begin(block)]);
       weights_.set(set_, block, log_weight, factor);
     }
     has_factors_ = weights_.normalise();
@@ -77,6 +77,15 @@ class ParticleCloud {
   void select(const std::vector<std::uint32_t>& ancestors);
 
  private:
+  /// What goes with each particle when resampled, a column for each.
+  struct Columns {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> yaw;
+    std::vector<float> member;  ///< 1 or 0
+    std::vector<float> label;
+  };
+
   /// Those of a block, where they are stored.
   PoseBlock poses(std::size_t block);
   /// Adds the logarithms of factors to those of weights.
@@ -85,17 +94,12 @@ class ParticleCloud {
   void add_block(std::size_t block, const Pose2& reference, PoseSums& sums);
 
   InstructionSet set_;
-  std::vector<double> x_;
-  std::vector<double> y_;
-  std::vector<double> yaw_;
+  Columns now_;
+  Columns spare_;                   ///< the next ones are gathered in
   std::vector<double> log_weight_;  ///< up to a constant
   std::vector<double> factor_;      ///< of the weights, beside the logarithm, where there are any
   bool has_factors_ = false;
-  std::vector<float> member_;  ///< 1 or 0
-  std::vector<float> label_;
   BlockWeights weights_;
-  std::vector<double> spare_x_, spare_y_, spare_yaw_;
-  std::vector<float> spare_member_, spare_label_;
 };
 
 }  // namespace multipath_localization

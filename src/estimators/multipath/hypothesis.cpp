@@ -30,8 +30,8 @@ void observe(Hypothesis& h, StateIndex index, double value, double variance) {
 }  // namespace
 
 void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noise) {
-  if (odometry.rest_time() > 0.0) {
-    observe(*this, kImuBias, odometry.rate_at_rest(), square(kRestNoise) / odometry.rest_time());
+  if (const GyroAtRest& gyro = odometry.gyro_at_rest(); gyro.time > 0.0) {
+    observe(*this, kImuBias, gyro.rate(), square(kRestNoise) / gyro.time);
   }
   if (odometry.moving_time() <= 0.0) return;
   const OdometryErrors& at = odometry.errors();
@@ -52,8 +52,8 @@ void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noi
   covariance.topRows<3>() += J * covariance.middleRows<kCauses>(kYaw).eval();
   covariance.leftCols<3>() += covariance.middleCols<kCauses>(kYaw).eval() * J.transpose();
   others.cross.topRows<3>() += J * others.cross.middleRows<kCauses>(kYaw).eval();
-  Eigen::Matrix3d unsure = odometry.noise(law.odometry_noise());
-  if (law.blind) unsure += odometry.untold_turns();
+  Eigen::Matrix3d unsure = odometry.noise().total(law.odometry_noise());
+  if (law.blind) unsure += odometry.noise().untold_turns();
   const Eigen::Matrix3d noise_in_map = turned * unsure * turned.transpose();
   covariance.topLeftCorner<3, 3>() += noise_in_map;
   velocity.way_noise += noise_in_map.topLeftCorner<2, 2>();

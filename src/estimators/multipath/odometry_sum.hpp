@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "estimators/multipath/moving_time.hpp"
+#include "estimators/multipath/summed_noise.hpp"
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/models/motion/preintegrated_odometry.hpp"
 
@@ -19,11 +20,12 @@ struct OdometryErrors {
   double imu_bias = 0.0;    ///< of the gyro beside the odometry [rad/s]
 };
 
-/// Variance of noise in that which is supposed of it [1].
-struct NoiseFactors {
-  double way = 1.0;
-  double turn = 1.0;  ///< of the wheels
-  double gyro = 1.0;
+/// What a gyro said while the base stood.
+struct GyroAtRest {
+  double time = 0.0;  ///< [s]
+  double turn = 0.0;  ///< that it has seen in it [rad]
+
+  [[nodiscard]] double rate() const { return time > 0.0 ? turn / time : 0.0; }  ///< mean [rad/s]
 };
 
 /// Odometry summed up since the hypotheses were last moved, once for all of them, equation (3).
@@ -33,10 +35,10 @@ struct NoiseFactors {
 /// tells of none: a gyro that is not there, a driver that leaves the yaw rate at zero.
 class OdometrySum {
  public:
-  explicit OdometrySum(const OdometryNoise& noise) : noise_(noise) {}
+  explicit OdometrySum(const OdometryNoise& noise) : supposed_(noise), noise_(noise) {}
 
-  /// Of the increments from now on.
-  void set_noise(const OdometryNoise& noise) { noise_ = noise; }
+  /// Of the increments from the next restart on.
+  void set_noise(const OdometryNoise& noise) { supposed_ = noise; }
   void restart(const OdometryErrors& errors);
   void add(const OdometryIncrement& u);
   /// An increment that turns as the robot does by the errors of `restart`, at the speed of its wheels.
@@ -51,21 +53,11 @@ class OdometrySum {
   /// bias.
   [[nodiscard]] const Eigen::Matrix<double, 3, 5>& by_errors() const { return by_errors_; }
 
-  /// Covariance of x, y, yaw where the noises have that many times the variance supposed; what happened
-  /// between samples comes on top.
-  [[nodiscard]] Eigen::Matrix3d noise(const NoiseFactors& factors) const {
-    return factors.way * way_noise_ + factors.turn * turn_noise_ + factors.gyro * gyro_noise_ +
-           sampling_noise_;
-  }
+  [[nodiscard]] const SummedNoise& noise() const { return noise_; }
 
-  /// What the gyro said of the standing base: the mean rate [rad/s] over that time [s].
-  [[nodiscard]] double rate_at_rest() const { return rest_time_ > 0.0 ? rest_turn_ / rest_time_ : 0.0; }
-  [[nodiscard]] double rest_time() const { return rest_time_; }
+  [[nodiscard]] const GyroAtRest& gyro_at_rest() const { return gyro_at_rest_; }
   /// Whether a gyro has told every turn since the restart, so that no fault of the wheels can feign one.
   [[nodiscard]] bool turns_by_gyro() const { return moving_time_ > 0.0 && gyro_time_ >= moving_time_; }
-
-  /// The same where the odometry tells of no turns at all: none besides, once it has told of one.
-  [[nodiscard]] const Eigen::Matrix3d& untold_turns() const { return untold_turns_; }
 
   [[nodiscard]] double duration() const { return duration_; }          ///< [s]
   [[nodiscard]] double moving_time() const { return moving_time_; }    ///< [s]
@@ -81,27 +73,17 @@ class OdometrySum {
   };
 
   void rest(const OdometryIncrement& u);
-  /// Without the errors of `restart`.
-  [[nodiscard]] OdometryIncrement corrected(OdometryIncrement u) const;
-  /// Of an increment that ends that much time [s] in which the wheels turned.
-  void add_noise(const OdometryIncrement& u, double moved, const Eigen::Vector2d& way, double turn);
-
-  OdometryNoise noise_;
+  OdometryNoise supposed_;
   OdometryErrors errors_;
   Eigen::Vector2d displacement_ = Eigen::Vector2d::Zero();
   double turn_ = 0.0;
   Eigen::Matrix<double, 3, 5> by_errors_ = Eigen::Matrix<double, 3, 5>::Zero();
-  Eigen::Matrix3d way_noise_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d turn_noise_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d gyro_noise_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d sampling_noise_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d untold_turns_ = Eigen::Matrix3d::Zero();
+  SummedNoise noise_;
   double duration_ = 0.0;
   double moving_time_ = 0.0;
   double missing_time_ = 0.0;
   double gyro_time_ = 0.0;  ///< of the moving time, with turns by the gyro [s]
-  double rest_time_ = 0.0;  ///< standing, watched by the gyro [s]
-  double rest_turn_ = 0.0;  ///< that the gyro has seen in it [rad]
+  GyroAtRest gyro_at_rest_;
   double length_ = 0.0;
   Before before_;
 };

@@ -9,7 +9,7 @@ Prediction predicted(const Mixture& mixture, const OdometrySum& odometry) {
   F.topRightCorner<2, 1>() << -way.y(), way.x();
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   turned.topLeftCorner<2, 2>() = rotation(then.yaw);
-  const Eigen::Matrix3d noise = odometry.noise(mixture.odometry_noise);
+  const Eigen::Matrix3d noise = odometry.noise().total(mixture.odometry_noise);
   return {then * moved(odometry),
           F * mixture.covariance * F.transpose() + turned * noise * turned.transpose()};
 }

@@ -72,7 +72,7 @@ TEST(Hypothesis, PropagatesItsCovarianceByTheDerivativeOfItsMean) {
   StateCovariance expected = F * h.covariance * F.transpose();
   Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   turned.topLeftCorner<2, 2>() = rotation(h.mean(kYaw));
-  expected.topLeftCorner<3, 3>() += turned * odometry.noise({}) * turned.transpose();
+  expected.topLeftCorner<3, 3>() += turned * odometry.noise().total({}) * turned.transpose();
   expected(kScale, kScale) += square(kNoise.scale_walk) * odometry.moving_time();
   expected(kGyroBias, kGyroBias) += square(kNoise.gyro_bias_walk) * odometry.moving_time();
   h.propagate(odometry, kNoise);
