@@ -53,9 +53,9 @@ constexpr double kLargestShadowNoise = 0.3;   // of its size: code phase under c
 // Of some the bias does not move at all and the noise is that of an open sky: a wrong ambiguity, one strong
 // reflection. Without them a pose that is off would explain such fixes better than a shadow.
 constexpr double kConstantShare = 0.3;
-constexpr double kConstantTime = 1e4;           // [s]
-constexpr double kLeastFirstBias = 0.1;         // of its size: biases walk in or jump
-constexpr double kShadowEndRate = 0.08;         // a side of a house at walking pace [1/s]
+constexpr double kConstantTime = 1e7;    // so that 40 m walk by less than a carrier's wave in a minute [s]
+constexpr double kLeastFirstBias = 0.1;  // of its size: biases walk in or jump
+constexpr double kShadowEndRate = 0.08;  // a side of a house at walking pace [1/s]
 constexpr double kShadowEndRateSpread = 3.0;    // a factor up and down: from 4 to 40 s
 constexpr double kShadowChangeRate = 1 / 30.0;  // another reflection: a house or two further [1/s]
 // A receiver that begins anew may begin wrong, by an ambiguity or among reflections, and hold on to that
@@ -63,7 +63,6 @@ constexpr double kShadowChangeRate = 1 / 30.0;  // another reflection: a house o
 constexpr double kHeldShare = 0.3;
 constexpr double kShortestHeld = 60.0;  // [s]
 constexpr double kLongestHeld = 600.0;  // [s]
-constexpr double kHeldTime = 1e7;       // so that 40 m walk by less than a carrier's wave in a minute [s]
 
 void step(double& log, const Prior& prior, double duration, double memory, RandomStream& random) {
   const double keep = std::exp(-duration / memory);
@@ -78,12 +77,6 @@ bool happens(double duration, double time, RandomStream& random) {
 
 double draw_slow_time(RandomStream& random) {
   return std::log(log_uniform(kLeastSlowTime, kLargestSlowTime, random));
-}
-
-/// The bias is what it is for minutes, as smooth as under an open sky.
-void let_last(ShadowLaw& law, RandomStream& random) {
-  law.noise = 0.0;
-  law.leave_rate = law.change_rate = 1.0 / log_uniform(kShortestHeld, kLongestHeld, random);
 }
 
 }  // namespace
@@ -155,16 +148,15 @@ ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& rando
 }
 
 void hold(ShadowLaw& law, RandomStream& random) {
-  law.time = kHeldTime;
-  let_last(law, random);
+  law.time = kConstantTime;
+  law.noise = 0.0;
+  law.leave_rate = law.change_rate = 1.0 / log_uniform(kShortestHeld, kLongestHeld, random);
 }
 
 ShadowLaw draw_reacquired_law(double open_sigma, double largest, RandomStream& random) {
   ShadowLaw law = draw_shadow_law(open_sigma, largest, random);
   law.first = law.size;
-  if (!held(random)) return law;
-  law.time = kConstantTime;
-  let_last(law, random);
+  if (held(random)) hold(law, random);
   return law;
 }
 

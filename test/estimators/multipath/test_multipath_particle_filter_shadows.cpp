@@ -174,6 +174,23 @@ TEST(MultipathParticleFilter, DoesNotTakeAWrongAmbiguityAfterAFloatForTheTruth) 
   EXPECT_LE(captured, kSeeds / 4);
 }
 
+/// A bias that does not move agrees with the odometry as well as the truth does.
+TEST(MultipathParticleFilter, IsNotWonOverByAConstantBiasOfAnRtkReceiver) {
+  constexpr int kSeeds = 8;
+  int captured = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SimulatedDrive robot(seed);
+    robot.speed = 0.6;
+    robot.fix_sigma = 0.015;
+    robot.status = FixStatus::kGroundBased;
+    robot.bias = [](double t) { return Eigen::Vector2d(t < 90.0 ? 0.0 : 12.0, 0.0); };
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 150.0);
+    captured += nees(localizer.estimate(), robot.truth) > 12.0 ? 1 : 0;
+  }
+  EXPECT_LE(captured, kSeeds / 4);
+}
+
 TEST(MultipathParticleFilter, GrowsUnsureThroughAnOutageAndRecovers) {
   EXPECT_TRUE(recovers_from_an_outage(7, 1));
   EXPECT_GE(share_of_seeds(6, [](std::uint64_t seed) { return recovers_from_an_outage(seed, seed); }), 0.8);
