@@ -10,8 +10,8 @@
 namespace multipath_localization::multipath {
 
 /// What wheel odometry gets wrong for minutes on end, equation (2): with v and w as measured, the robot
-/// drives (1 - scale) v and turns by w - gyro_bias - turn_scale w - curvature v, or, where a gyro beside it
-/// has told the turn, by w - imu_bias.
+/// drives (1 - scale) v and turns by w - gyro_bias - turn_scale w - curvature v, without turn_scale where w
+/// is no more than noise, or, where a gyro beside it has told the turn, by w - imu_bias.
 struct OdometryErrors {
   double scale = 0.0;       ///< of speed [1]
   double gyro_bias = 0.0;   ///< of the yaw rate of odometry, which may be a gyro's of its own [rad/s]

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "estimators/multipath/odometry_sum.hpp"
+#include "multipath_localization/core/random.hpp"
 #include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
@@ -50,6 +51,17 @@ TEST(OdometrySum, KnowsItsDerivativesByTheErrors) {
     // The chord of an arc hardly depends on its turn, which is left out.
     EXPECT_LT((sum.by_errors().col(k) - numerical).norm(), 2e-3 * (1.0 + numerical.norm())) << k;
   }
+}
+
+/// Fixes that know the way to be straight would else say that measured turns are none.
+TEST(OdometrySum, TellsNothingOfTheScaleOfTurnsByNoise) {
+  RandomStream random(1, 1, 1);
+  OdometrySum sum(kNoise);
+  for (int i = 1; i <= 50; ++i) sum.add({0.02 * i, 0.02, 3.0, 0.01 * random.normal()});
+  EXPECT_EQ(sum.by_errors().col(2).norm(), 0.0);
+  EXPECT_NE(sum.turn(), 0.0);
+  sum.add({1.02, 0.02, 3.0, 0.2});
+  EXPECT_NEAR(sum.by_errors()(2, 2), -0.004, 1e-9);
 }
 
 TEST(OdometrySum, TakesTurnsOfAGyroWithItsErrorsAloneAndNoneOfTheWheels) {
