@@ -50,10 +50,10 @@ constexpr double kLeastShadowTime = 3.0;      // a car passing a house [s]
 constexpr double kLargestShadowTime = 300.0;  // a reflection that stays, a wrong ambiguity [s]
 constexpr double kLeastShadowNoise = 0.005;   // of its size: a carrier phase that is wrong by whole waves
 constexpr double kLargestShadowNoise = 0.3;   // of its size: code phase under changing reflections
-// Of some the bias does not move at all and the noise is that of an open sky: a wrong ambiguity, one strong
+// Of some the bias hardly moves and the noise is that of an open sky: a wrong ambiguity, one strong
 // reflection. Without them a pose that is off would explain such fixes better than a shadow.
 constexpr double kConstantShare = 0.3;
-constexpr double kConstantTime = 1e7;    // so that 40 m walk by less than a carrier's wave in a minute [s]
+constexpr double kConstantTime = 3e5;    // in a minute 20 m walk by 0.4 m, as robot and satellites move [s]
 constexpr double kLeastFirstBias = 0.1;  // of its size: biases walk in or jump
 constexpr double kShadowEndRate = 0.08;  // a side of a house at walking pace [1/s]
 constexpr double kShadowEndRateSpread = 3.0;    // a factor up and down: from 4 to 40 s
@@ -63,6 +63,7 @@ constexpr double kShadowChangeRate = 1 / 30.0;  // another reflection: a house o
 constexpr double kHeldShare = 0.3;
 constexpr double kShortestHeld = 60.0;  // [s]
 constexpr double kLongestHeld = 600.0;  // [s]
+constexpr double kHeldTime = 1e7;       // so that 40 m walk by less than a carrier's wave in a minute [s]
 
 void step(double& log, const Prior& prior, double duration, double memory, RandomStream& random) {
   const double keep = std::exp(-duration / memory);
@@ -148,7 +149,7 @@ ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& rando
 }
 
 void hold(ShadowLaw& law, RandomStream& random) {
-  law.time = kConstantTime;
+  law.time = kHeldTime;
   law.noise = 0.0;
   law.leave_rate = law.change_rate = 1.0 / log_uniform(kShortestHeld, kLongestHeld, random);
 }

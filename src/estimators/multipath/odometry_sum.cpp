@@ -1,5 +1,6 @@
 #include "estimators/multipath/odometry_sum.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "multipath_localization/models/motion/odometry_motion.hpp"
@@ -10,16 +11,14 @@ namespace {
 
 /// Longer intervals are gaps of the odometry: the slowest odometry in use comes at 1 Hz, and loses some [s].
 constexpr double kGap = 2.5;
-/// Less may be noise on a straight way, of which fixes would say that turns are none: it tells nothing of
-/// their scale, which matters less there than a bias [rad/s].
-constexpr double kNoTurn = 0.05;
+/// A mean yaw rate below this may be noise on a straight way, of which fixes would say that turns are none:
+/// it tells nothing of their scale [rad/s],
+constexpr double kNoTurn = 0.02;
+constexpr double kTurnMemory = 0.5;  ///< over so long a mean [s]
 /// What a robot changes its speed by, within a gap, beyond what it had before it [m/s].
 constexpr double kUnseenSpeed = 1.0;
 
 Eigen::Vector2d perpendicular(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
-
-/// The part of the yaw rate that has a scale [rad/s].
-double rate_of_turns(const OdometryIncrement& u) { return std::abs(u.yaw_rate) > kNoTurn ? u.yaw_rate : 0.0; }
 
 OdometryIncrement scaled(OdometryIncrement u, double factor) {
   u.speed *= factor;
@@ -43,11 +42,16 @@ void OdometrySum::rest(const OdometryIncrement& u) {
   gyro_at_rest_.turn += u.duration * u.rate_at_rest;
 }
 
+double OdometrySum::Before::rate_of_turn(const OdometryIncrement& u) const {
+  return std::abs(mean_yaw_rate) > kNoTurn ? u.yaw_rate : 0.0;
+}
+
 OdometryIncrement OdometrySum::without_turn_errors(OdometryIncrement u) const {
   if (u.turn_source == TurnSource::kGyro) {
     u.yaw_rate -= errors_.imu_bias;
   } else {
-    u.yaw_rate -= errors_.turn_scale * rate_of_turns(u) + errors_.gyro_bias + errors_.curvature * u.speed;
+    u.yaw_rate -=
+        errors_.turn_scale * before_.rate_of_turn(u) + errors_.gyro_bias + errors_.curvature * u.speed;
   }
   return u;
 }
@@ -55,6 +59,7 @@ OdometryIncrement OdometrySum::without_turn_errors(OdometryIncrement u) const {
 void OdometrySum::add(const OdometryIncrement& u) {
   const double dt = u.duration;
   const double moved = before_.moving.add(u);
+  before_.mean_yaw_rate += std::min(1.0, dt / kTurnMemory) * (u.yaw_rate - before_.mean_yaw_rate);
   duration_ += dt;
   if (dt > kGap) {
     missing_time_ += dt;
@@ -75,7 +80,7 @@ void OdometrySum::add(const OdometryIncrement& u) {
   // The heading halfway through the step, by each of the errors that turn it.
   const Eigen::RowVector4d turn_by_errors =
       by_gyro ? Eigen::RowVector4d(0.0, 0.0, 0.0, -dt)
-              : Eigen::RowVector4d(-dt, -rate_of_turns(u) * dt, -u.speed * dt, 0.0);
+              : Eigen::RowVector4d(-dt, -before_.rate_of_turn(u) * dt, -u.speed * dt, 0.0);
   const Eigen::RowVector4d heading = by_errors_.bottomRightCorner<1, 4>() + 0.5 * turn_by_errors;
   by_errors_.topLeftCorner<2, 1>() -= way / (1.0 - errors_.scale);
   by_errors_.topRightCorner<2, 4>() += perpendicular(way) * heading;

@@ -11,7 +11,7 @@ namespace multipath_localization::multipath {
 
 /// What wheel odometry gets wrong for minutes on end, equation (2): with v and w as measured, the robot
 /// drives (1 - scale) v and turns by w - gyro_bias - turn_scale w - curvature v, without turn_scale where w
-/// is no more than noise, or, where a gyro beside it has told the turn, by w - imu_bias.
+/// is no more than noise by its mean, or, where a gyro beside it has told the turn, by w - imu_bias.
 struct OdometryErrors {
   double scale = 0.0;       ///< of speed [1]
   double gyro_bias = 0.0;   ///< of the yaw rate of odometry, which may be a gyro's of its own [rad/s]
@@ -69,7 +69,11 @@ class OdometrySum {
   struct Before {
     Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< in the base, of the last one [m/s]
     bool turned = false;                                 ///< one has told of a turn
+    double mean_yaw_rate = 0.0;                          ///< of the last moments [rad/s]
     MovingTime moving;
+
+    /// The part of the yaw rate that the scale of turns counts for [rad/s].
+    [[nodiscard]] double rate_of_turn(const OdometryIncrement& u) const;
   };
 
   void rest(const OdometryIncrement& u);
