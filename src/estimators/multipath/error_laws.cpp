@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/numbers.hpp"
+
 namespace multipath_localization::multipath {
 
 namespace {
@@ -53,10 +55,10 @@ constexpr double kLargestShadowNoise = 0.3;   // of its size: code phase under c
 // Of some the bias hardly moves and the noise is that of an open sky: a wrong ambiguity, one strong
 // reflection. Without them a pose that is off would explain such fixes better than a shadow.
 constexpr double kConstantShare = 0.3;
-constexpr double kConstantTime = 3e5;    // in a minute 20 m walk by 0.4 m, as robot and satellites move [s]
-constexpr double kLeastFirstBias = 0.1;  // of its size: biases walk in or jump
-constexpr double kShadowEndRate = 0.08;  // a side of a house at walking pace [1/s]
-constexpr double kShadowEndRateSpread = 3.0;    // a factor up and down: from 4 to 40 s
+constexpr double kLeastConstantTime = 1e4;    // 20 m walk by 0.28 m in a second, which coarse fixes hide [s]
+constexpr double kLeastFirstBias = 0.1;       // of its size: biases walk in or jump
+constexpr double kShadowEndRate = 0.08;       // a side of a house at walking pace [1/s]
+constexpr double kShadowEndRateSpread = 3.0;  // a factor up and down: from 4 to 40 s
 constexpr double kShadowChangeRate = 1 / 30.0;  // another reflection: a house or two further [1/s]
 // A receiver that begins anew may begin wrong, by an ambiguity or among reflections, and hold on to that
 // until it finds out: after a minute, or after ten.
@@ -74,6 +76,17 @@ void step(double& log, const Prior& prior, double duration, double memory, Rando
 
 bool happens(double duration, double time, RandomStream& random) {
   return random.uniform() < duration / time;
+}
+
+/// Of a bias that walks in a second by no more than what it hides in.
+double constant_time(double size, double open_sigma) {
+  return std::max(kLeastConstantTime, 2.0 * square(size / open_sigma));
+}
+
+/// The bias is what it is for minutes, as smooth as under an open sky.
+void let_last(ShadowLaw& law, RandomStream& random) {
+  law.noise = 0.0;
+  law.leave_rate = law.change_rate = 1.0 / log_uniform(kShortestHeld, kLongestHeld, random);
 }
 
 double draw_slow_time(RandomStream& random) {
@@ -140,7 +153,8 @@ ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& rando
   const double least = std::max(kLeastShadow, kShadowToOpen * open_sigma);
   law.size = log_uniform(least, std::max(largest, kShadowToOpen * least), random);
   const bool constant = random.uniform() < kConstantShare;
-  law.time = constant ? kConstantTime : log_uniform(kLeastShadowTime, kLargestShadowTime, random);
+  law.time = constant ? constant_time(law.size, open_sigma)
+                      : log_uniform(kLeastShadowTime, kLargestShadowTime, random);
   law.noise = constant ? 0.0 : law.size * log_uniform(kLeastShadowNoise, kLargestShadowNoise, random);
   law.first = law.size * log_uniform(kLeastFirstBias, 1.0, random);
   law.leave_rate = kShadowEndRate * log_uniform(1.0 / kShadowEndRateSpread, kShadowEndRateSpread, random);
@@ -150,14 +164,15 @@ ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& rando
 
 void hold(ShadowLaw& law, RandomStream& random) {
   law.time = kHeldTime;
-  law.noise = 0.0;
-  law.leave_rate = law.change_rate = 1.0 / log_uniform(kShortestHeld, kLongestHeld, random);
+  let_last(law, random);
 }
 
 ShadowLaw draw_reacquired_law(double open_sigma, double largest, RandomStream& random) {
   ShadowLaw law = draw_shadow_law(open_sigma, largest, random);
   law.first = law.size;
-  if (held(random)) hold(law, random);
+  if (!held(random)) return law;
+  law.time = constant_time(law.size, open_sigma);
+  let_last(law, random);
   return law;
 }
 
