@@ -108,11 +108,10 @@ build_tests() {
   cmake "$build_dir" >>"$build_dir/configure.log" 2>&1
 }
 
-# run_tests: runs them all and names each as it ends; what they say goes to tests.log of the build folder. Those of nodes
-# wait more than they compute, and each has a master of its own: as many run at once as there are cores.
+# run_tests: runs them all and names each as it ends; what they say goes to tests.log of the build folder.
 run_tests() {
   say "Testing"
-  cmake --build "$build_dir" --target run_tests -- --no-print-directory -j"$(jobs)" 2>&1 | tee "$build_dir/tests.log" |
+  cmake --build "$build_dir" --target run_tests -- --no-print-directory 2>&1 | tee "$build_dir/tests.log" |
     sed -nuE 's#.*verify result ".*/(gtest|rostest)-(test_rostest_|test_)?(.*)\.xml".*#  \1 \3#p' || true
 }
 

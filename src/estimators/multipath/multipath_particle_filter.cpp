@@ -19,12 +19,10 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kLongestSum = 1.0;  ///< odometry is linearised over at most this long [s]
-/// How soon odometry forgets a position that corrected fixes gave [s].
-constexpr double kCorrectedMemory = 60.0;
-/// Velocities within this time are one, just below a receiver's second [s].
-constexpr double kVelocityBlock = 0.9;
-constexpr double kBelieved = 0.9;  ///< probability of velocities that tell a heading at once
+constexpr double kLongestSum = 1.0;        ///< odometry is linearised over at most this long [s]
+constexpr double kCorrectedMemory = 60.0;  ///< of odometry for a position that corrected fixes gave [s]
+constexpr double kVelocityBlock = 0.9;     ///< velocities within it are one, below a receiver's second [s]
+constexpr double kBelieved = 0.9;          ///< probability of velocities that tell a heading at once
 constexpr std::uint64_t kRivalSeed = 0x9E3779B97F4A7C15U;  ///< its draws are not those of the cloud
 constexpr double kLeastSigma = 1e-3;  ///< no receiver is better than that, whatever it declares [m]
 
@@ -106,7 +104,6 @@ struct MultipathParticleFilter::State {
   }
   /// What is known of the fixes of each receiver.
   void tell_receivers(PoseEstimate& estimate) const;
-  /// Weighs what waits of a receiver.
   void weigh(multipath::ReceiverWatch& receiver, const MultipathParticleFilterParameters& parameters);
   /// What the wheels did since the last fix of any receiver.
   void judge_wheels(multipath::Sighting& sighting);
