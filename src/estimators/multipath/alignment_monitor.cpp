@@ -19,7 +19,7 @@ constexpr double kWayByVelocity =
 }  // namespace
 
 AlignmentMonitor::AlignmentMonitor(bool confirmed)
-    : way_(confirmed ? kConfirmingWay : 0.0), wanted_(kConfirmingWay) {}
+    : way_(confirmed ? kConfirmingWay : 0.0), wanted_(kConfirmingWay), aligned_(confirmed) {}
 
 void AlignmentMonitor::update(double way, double yaw_variance, bool by_velocity) {
   way_ += way;

@@ -20,7 +20,7 @@ class AlignmentMonitor {
  private:
   double way_ = 0.0;  ///< over which fixes were weighed [m]
   double wanted_;     ///< of that [m]
-  bool aligned_ = false;
+  bool aligned_;
 };
 
 }  // namespace multipath_localization::multipath

@@ -29,5 +29,14 @@ TEST(AlignmentMonitor, StaysAlignedUntilTheHeadingIsLost) {
   EXPECT_FALSE(monitor.aligned());
 }
 
+TEST(AlignmentMonitor, HoldsAConfirmedPoseToBeSoAsLongAsItWouldHaveBeen) {
+  AlignmentMonitor confirmed(true);
+  confirmed.update(0.0, 0.1, false);
+  EXPECT_TRUE(confirmed.aligned());
+  AlignmentMonitor doubtful(true);
+  doubtful.update(0.0, 0.5, false);
+  EXPECT_FALSE(doubtful.aligned());
+}
+
 }  // namespace
 }  // namespace multipath_localization::multipath
