@@ -46,11 +46,11 @@ int bin_of(double distance) {
 void count_position(const Epoch& epoch, double duration, Calibration& c) {
   const double nees = nees_of(epoch);
   const double smaller = -std::expm1(-0.5 * nees);  // chi-square of two degrees of freedom
-  for (std::size_t k = 0; k < c.kEllipses.size(); ++k) {
+  for (std::size_t k = 0; k < Calibration::kEllipses.size(); ++k) {
     if (smaller <= Calibration::kEllipses[k]) c.inside[k] += duration;
   }
-  const auto bin = static_cast<std::size_t>(smaller * static_cast<double>(c.kBins));
-  c.pit[std::min(bin, c.kBins - 1)] += duration;
+  const auto bin = static_cast<std::size_t>(smaller * static_cast<double>(Calibration::kBins));
+  c.pit[std::min(bin, Calibration::kBins - 1)] += duration;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(epoch.position_covariance);
   const double longest = 3.0 * std::sqrt(std::max(0.0, axes.eigenvalues()(1)));
   c.stanford[{bin_of(error_of(epoch).norm()), bin_of(longest)}] += duration;
@@ -104,26 +104,38 @@ struct Wait {
   }
 };
 
+/// Follows what is told of something that begins and ends.
+class Follower {
+ public:
+  void see(bool truth, double probability, double now) {
+    if (truth && !was_) beginning_ = {true, now}, ending_ = {};
+    if (!truth && was_) end(now);
+    was_ = truth;
+    probability > 0.5 ? beginning_.end(now, detection.told) : ending_.end(now, detection.cleared);
+  }
+
+  Detection detection;
+
+ private:
+  void end(double now) {
+    detection.missed += beginning_.on ? 1 : 0;
+    beginning_ = {}, ending_ = {true, now};
+  }
+
+  bool was_ = false;
+  Wait beginning_;  // not told of yet
+  Wait ending_;     // still told of
+};
+
 Detection detection(const std::vector<Moment>& moments, const Told& told_of) {
-  Detection d;
-  bool was = false;
-  Wait beginning;  // not told of yet
-  Wait ending;     // still told of
+  Follower follower;
   for (const auto& [epoch, duration] : moments) {
     const auto& [truth, probability] = told_of(*epoch);
     if (!truth) continue;
-    d.brier.add(square(probability - (*truth ? 1.0 : 0.0)), duration);
-    const double now = epoch->truth.stamp;
-    const bool told = probability > 0.5;
-    if (*truth && !was) beginning = {true, now}, ending = {};
-    if (!*truth && was) {
-      if (beginning.on) ++d.missed;
-      beginning = {}, ending = {true, now};
-    }
-    told ? beginning.end(now, d.told) : ending.end(now, d.cleared);
-    was = *truth;
+    follower.detection.brier.add(square(probability - (*truth ? 1.0 : 0.0)), duration);
+    follower.see(*truth, probability, epoch->truth.stamp);
   }
-  return d;
+  return follower.detection;
 }
 
 /// Correlation of each value with the next; nothing of fewer than ten.

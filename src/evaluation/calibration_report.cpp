@@ -44,7 +44,7 @@ void add_ellipses(std::vector<Line>& lines) {
 }
 
 void add_states(std::vector<Line>& lines) {
-  for (std::size_t k = static_cast<std::size_t>(Trust::kAligning); k < Calibration::kStates; ++k) {
+  for (auto k = static_cast<std::size_t>(Trust::kAligning); k < Calibration::kStates; ++k) {
     const std::string state(to_string(static_cast<Trust>(k)));
     lines.push_back({state + ", % of the time (of that outside 3 sigma)", [k](const Calibration& c) {
                        return percent(c.in_state[k], with_state(c)) + " (" +

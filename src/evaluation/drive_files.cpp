@@ -67,6 +67,11 @@ void write_fixes(const Drive& drive, std::size_t receiver, const LocalFrame& map
   file.close();
 }
 
+/// A column of truth, where the recording has it.
+void add_flag(const std::optional<bool>& told, const std::optional<bool>& flag, std::vector<double>& row) {
+  if (told) row.push_back(flag.value_or(false) ? 1.0 : 0.0);
+}
+
 void write_truth(const Drive& drive, const LocalFrame& map, const fs::path& folder) {
   const TruthSample first = drive.truth.empty() ? TruthSample() : drive.truth.front();
   std::string header = "t,lat_deg,lon_deg,yaw";
@@ -76,8 +81,8 @@ void write_truth(const Drive& drive, const LocalFrame& map, const fs::path& fold
   for (const TruthSample& sample : drive.truth) {
     const Geodetic point = map.to_geodetic(sample.base_in_map.position());
     std::vector<double> row = {point.latitude_deg, point.longitude_deg, sample.base_in_map.yaw};
-    if (first.shadow) row.push_back(sample.shadow.value_or(false) ? 1.0 : 0.0);
-    if (first.wheel_fault) row.push_back(sample.wheel_fault.value_or(false) ? 1.0 : 0.0);
+    add_flag(first.shadow, sample.shadow, row);
+    add_flag(first.wheel_fault, sample.wheel_fault, row);
     file.row(sample.stamp, row);
   }
   file.close();

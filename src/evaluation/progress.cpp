@@ -35,9 +35,7 @@ std::string ProgressBar::to_go(int percent) const {
   if (percent == 0 || percent == 100) return "";
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun_;
   const double minutes = passed.count() / 60.0 * (100 - percent) / percent;
-  char text[32];
-  std::snprintf(text, sizeof(text), ", %.0f min to go ", std::ceil(minutes));
-  return text;
+  return ", " + std::to_string(std::lround(std::ceil(minutes))) + " min to go ";
 }
 
 void ProgressBar::draw(int percent) {

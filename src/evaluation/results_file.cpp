@@ -54,7 +54,7 @@ Content read_content(const std::string& file) {
   return content;
 }
 
-std::vector<RunRecord> in_order(std::map<std::uint64_t, std::vector<RunRecord>> by_seed) {
+std::vector<RunRecord> in_order(std::map<std::uint64_t, std::vector<RunRecord>>&& by_seed) {
   std::vector<RunRecord> all;
   for (auto& [seed, runs] : by_seed) {
     for (RunRecord& run : runs) all.push_back(std::move(run));
