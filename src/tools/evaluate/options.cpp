@@ -37,8 +37,8 @@ po::options_description stream_options() {
   add("suite", text("NAME"),
       "scenarios in a row, and where the first estimator falls short: "
       "config/suites/NAME.yaml, or a file. 'random': a robot, way and receiver drawn for each seed; "
-      "'drives:DIR': every recording in DIR, fixes and odometry alone. These two run the default estimator, "
-      "gated_ekf and two_stage_ekf, are scored from 60 s on and end with how they stand over all drives");
+      "'drives:DIR': every recording in DIR, fixes and odometry alone. These two also run gated_ekf and "
+      "two_stage_ekf and end with how all stand");
   add("fix-topic", text("A,B"),
       "of the bag, with or without leading slash, of one receiver or several; gps/fix with gps_2/fix, ..., "
       "or "
@@ -55,9 +55,9 @@ po::options_description stream_options() {
   add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
   add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
   add("faults", text("FILE"),
-      "inject these faults: keys as in config/fault_injector.yaml, ready files in config/faults; of a "
-      "recording the faults of the first run are those of its seed, of the next run those of the next; zones "
-      "lie in the frame of truth");
+      "inject these faults: keys as in config/fault_injector.yaml, ready files in config/faults; each run of "
+      "a "
+      "recording has those of its seed; zones lie in the frame of truth");
   add("datum", text("LAT,LON[,ALT]"),
       "origin of the frame of a bag's truth [deg, m]; left out: that of a static transform earth -> that "
       "frame, else where the median of fix - truth is zero, over the fixes under open sky where a shadow "
@@ -81,23 +81,24 @@ po::options_description run_options() {
       "inputs of random robots beside odometry and fixes: gyro, velocity (by Doppler), receivers (a second "
       "one); the robots stay the same");
   add("jobs", number("N", 1), "runs at a time; changes no result");
-  add("known-start", "start the estimators at the true pose; it is unknown otherwise");
+  add("known-start", "start at the true pose; unknown otherwise");
   add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
       "a parameter of all estimators, of one as NAME.KEY, of the localizer as localizer.KEY, of a scenario "
       "as simulator.KEY and steering.KEY; nested keys are joined by dots; may be repeated");
   add("off-from", po::value<double>()->default_value(2.0)->value_name("M"),
       "the estimate counts as off from an error of M metres on");
   add("score-from", po::value<double>()->value_name("S"),
-      "score from S seconds on; left out: from 60 for suites over drives, from 0 for others");
+      "score from S seconds on; left out: 60 for suites over drives, else 0");
   add("json", text("FILE"), "write the figures of each run");
   add("results", po::value<std::vector<std::string>>()->multitoken()->value_name("FILE"),
-      "keep the runs of --suite random in FILE as they end, and make only those that it does not hold yet; "
-      "without a suite: how the estimators stand over all runs in FILE, or in several");
+      "keep the runs of --suite random in FILE as they end, make only those it lacks; without a suite: how "
+      "the "
+      "runs in FILE, or several, stand");
   add("write", text("DIR"),
       "instead of running anything: write the drives of --suite random as DIR/random_SEED");
   add("plot", text("FILE.png"), "draw the first seed: trajectories, error and declared error over time");
   add("report", text("FILE.html"),
-      "a page about the first seed, for any browser: map, errors, states, NIS and speeds over time, figures");
+      "a page about the first seed for any browser: map, errors, states, NIS, speeds, figures");
   add("help", "print this");
   return options;
 }
