@@ -79,8 +79,8 @@ po::options_description run_options() {
       "run seeds 1..N, or FIRST..LAST; of random robots the seed is the robot's too");
   add("with", text("A,B"),
       "inputs of random robots beside odometry and fixes: gyro, velocity (by Doppler), receivers (a second "
-      "one); the robots stay the same");
-  add("jobs", number("N", 1), "runs at a time; changes no result");
+      "one)");
+  add("jobs", number("N", 1), "runs at a time");
   add("known-start", "start at the true pose; unknown otherwise");
   add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
       "a parameter of all estimators, of one as NAME.KEY, of the localizer as localizer.KEY, of a scenario "
