@@ -76,6 +76,16 @@ RandomExtras parse_extras(const std::string& list) {
   return extras;
 }
 
+/// One stream, or results of runs.
+void require_a_stream(const po::variables_map& given, const Options& options) {
+  const std::size_t streams =
+      given.count("drive") + given.count("bag") + given.count("scenario") + given.count("suite");
+  if (streams > 1 || (streams == 0 && options.results_files.empty())) {
+    throw UsageError(
+        "give one of --drive, --bag, --scenario, --suite, or --results alone; --help tells more");
+  }
+}
+
 /// What a suite over drives cannot be told.
 void refuse_for_suites(const po::variables_map& given, const Options& options) {
   if (!options.suite.empty() && given.count("plot") + given.count("report") + given.count("faults") > 0) {
@@ -114,12 +124,7 @@ Options read_options(const po::variables_map& given) {
   };
   Options options;
   if (given.count("results") > 0) options.results_files = given["results"].as<std::vector<std::string>>();
-  const std::size_t streams =
-      given.count("drive") + given.count("bag") + given.count("scenario") + given.count("suite");
-  if (streams > 1 || (streams == 0 && options.results_files.empty())) {
-    throw UsageError(
-        "give one of --drive, --bag, --scenario, --suite, or --results alone; --help tells more");
-  }
+  require_a_stream(given, options);
   options.drive = text("drive");
   options.bag = text("bag");
   options.scenario = text("scenario");
