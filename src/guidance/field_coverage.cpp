@@ -1,6 +1,7 @@
 #include "guidance/field_coverage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -24,17 +25,17 @@ constexpr double kMostLeft = 0.02;         // of the tracks, that cannot be turn
 
 /// A straight way across, whose ends lie on the outermost lap.
 struct Track {
-  Eigen::Vector2d ends[2];
-  double stations[2];  ///< of the ends, on that lap
+  std::array<Eigen::Vector2d, 2> ends;
+  std::array<double, 2> stations{};  ///< of the ends, on that lap
   bool driven = false;
 };
 
 /// A way from the place the planner is at to a track.
 struct Choice {
   std::size_t track;
-  int end;      ///< where it is entered
-  double from;  ///< station of the planner
-  double to;    ///< that of the end, counted so that the way there is from one to the other
+  std::size_t end;  ///< where it is entered
+  double from;      ///< station of the planner
+  double to;        ///< that of the end, counted so that the way there is from one to the other
 };
 
 class CoveragePlanner {
@@ -202,7 +203,6 @@ void CoveragePlanner::find_tracks() {
     }
   }
   const double count = std::ceil((high - low) / width_);
-  if (!(count > 0.0)) return;
   if (count > static_cast<double>(kMostTracks))
     throw std::invalid_argument("the field takes more than 1000 tracks");
   const std::vector<Ring> reached = inset(border_, covered_depth_ - 0.5 * width_);
@@ -216,7 +216,8 @@ void CoveragePlanner::find_tracks() {
         });
       };
       if (std::none_of(reached.begin(), reached.end(), within)) continue;
-      tracks_.push_back({{{from, y}, {to, y}}, {outermost_.nearest({from, y}), outermost_.nearest({to, y})}});
+      const std::array<Eigen::Vector2d, 2> ends = {Eigen::Vector2d(from, y), Eigen::Vector2d(to, y)};
+      tracks_.push_back({ends, {outermost_.nearest(ends[0]), outermost_.nearest(ends[1])}});
     }
   }
 }
@@ -227,9 +228,8 @@ std::vector<Choice> CoveragePlanner::choices() const {
   const double round = outermost_.length();
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (tracks_[i].driven) continue;
-    for (const int end : {0, 1}) {
-      double on = std::fmod(tracks_[i].stations[end] - station_, round);
-      if (on < 0.0) on += round;
+    for (const std::size_t end : {0, 1}) {
+      const double on = outermost_.within_round(tracks_[i].stations[end] - station_);
       choices.push_back({i, end, station_, station_ + on});
       if (!heads_on_) choices.push_back({i, end, station_, station_ + on - round});
     }

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "support/plane.hpp"
+
 namespace multipath_localization {
 
 namespace {
 
 constexpr double kArrived = 0.03;  // short of the goal: the rest is braked away [m]
 constexpr double kCatchUp = 0.1;   // that the place on the path may change by beside the base's own way [m]
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 }  // namespace
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "support/plane.hpp"
+
 namespace multipath_localization {
 
 namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The share of the way from `a` to `b` at which it is nearest to `place`.
 double share_at(const Eigen::Vector2d& place, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -72,11 +72,12 @@ std::size_t Ring::nearest_corner(const Eigen::Vector2d& place) const {
 }
 
 std::vector<Eigen::Vector2d> Ring::way(double from, double to) const {
-  if (to < from) {
-    std::vector<Eigen::Vector2d> back = way(to, from);
-    std::reverse(back.begin(), back.end());
-    return back;
-  }
+  std::vector<Eigen::Vector2d> places = counter_clockwise(std::min(from, to), std::max(from, to));
+  if (to < from) std::reverse(places.begin(), places.end());
+  return places;
+}
+
+std::vector<Eigen::Vector2d> Ring::counter_clockwise(double from, double to) const {
   std::vector<Eigen::Vector2d> places = {at(from)};
   const double first_round = std::floor(from / length()) * length();
   for (double round = first_round; round < to; round += length()) {
@@ -91,10 +92,10 @@ std::vector<Eigen::Vector2d> Ring::way(double from, double to) const {
 
 bool Ring::contains(const Eigen::Vector2d& place, double slack) const {
   if ((at(nearest(place)) - place).norm() <= slack) return true;
-  for (const auto& [from, to] : sections(place.y())) {
-    if (from <= place.x() && place.x() <= to) return true;
-  }
-  return false;
+  const auto sections_there = sections(place.y());
+  return std::any_of(sections_there.begin(), sections_there.end(), [&](const auto& section) {
+    return section.first <= place.x() && place.x() <= section.second;
+  });
 }
 
 std::vector<std::pair<double, double>> Ring::sections(double y) const {

@@ -19,6 +19,8 @@ class Ring {
   [[nodiscard]] double station(std::size_t corner) const { return stations_[corner]; }
   [[nodiscard]] double longest_edge() const;  ///< its heading [rad]
   [[nodiscard]] Eigen::Vector2d at(double station) const;
+  /// The same place in the first round [m].
+  [[nodiscard]] double within_round(double station) const;
   [[nodiscard]] double nearest(const Eigen::Vector2d& place) const;  ///< within the first round [m]
   [[nodiscard]] std::size_t nearest_corner(const Eigen::Vector2d& place) const;
   /// Along it, counter-clockwise where `to` is the greater: both ends and the corners between.
@@ -29,7 +31,8 @@ class Ring {
   [[nodiscard]] std::vector<std::pair<double, double>> sections(double y) const;
 
  private:
-  [[nodiscard]] double within_round(double station) const;
+  /// The way from a station to a greater one.
+  [[nodiscard]] std::vector<Eigen::Vector2d> counter_clockwise(double from, double to) const;
   [[nodiscard]] const Eigen::Vector2d& next(std::size_t corner) const {
     return corners_[(corner + 1) % corners_.size()];
   }

@@ -5,12 +5,11 @@
 #include <limits>
 
 #include "simulation/streams.hpp"
+#include "support/plane.hpp"
 
 namespace multipath_localization {
 
 namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// How far along a ray a wall is; infinity where the ray does not come to it.
 double range_to(const Wall& wall, const Eigen::Vector2d& origin, const Eigen::Vector2d& ray) {

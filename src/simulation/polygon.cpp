@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "multipath_localization/core/parameters.hpp"
+#include "support/plane.hpp"
 
 namespace multipath_localization {
 
@@ -15,8 +16,6 @@ double distance_to_edge(const Eigen::Vector2d& point, const Eigen::Vector2d& a, 
   const double along = length > 0.0 ? std::clamp((point - a).dot(edge) / length, 0.0, 1.0) : 0.0;
   return (point - a - along * edge).norm();
 }
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Twice the signed area of a triangle, positive counter-clockwise.
 double doubled_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {

@@ -7,21 +7,12 @@
 #include "guidance/field_coverage.hpp"
 #include "guidance/polygon_inset.hpp"
 #include "multipath_localization/guidance/path.hpp"
+#include "path_of_way.hpp"
 
 namespace multipath_localization {
 namespace {
 
 constexpr double kTightest = 0.88;  // arcs of the default base [m]
-
-Path path_of(const std::vector<WayPoint>& way) {
-  std::vector<Eigen::Vector2d> places;
-  std::vector<double> curvatures;
-  for (const WayPoint& place : way) {
-    places.push_back(place.position);
-    curvatures.push_back(place.curvature);
-  }
-  return {places, curvatures, 1.0};
-}
 
 std::vector<Eigen::Vector2d> places_along(const Path& path, double step) {
   std::vector<Eigen::Vector2d> places;

@@ -4,6 +4,7 @@
 
 #include "guidance/rounded_way.hpp"
 #include "multipath_localization/guidance/path.hpp"
+#include "path_of_way.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -15,16 +16,6 @@ const Rounding kNowhere{1.0, [](const Eigen::Vector2d& /*place*/) { return false
 /// Where the arc of a corner to the right, at the origin from the south, would cut it.
 const Rounding kNotRightBelow{
     1.0, [](const Eigen::Vector2d& place) { return place.x() < 0.1 || place.y() > -0.1; }};
-
-Path path_of(const std::vector<WayPoint>& way) {
-  std::vector<Eigen::Vector2d> places;
-  std::vector<double> curvatures;
-  for (const WayPoint& place : way) {
-    places.push_back(place.position);
-    curvatures.push_back(place.curvature);
-  }
-  return {places, curvatures, 1.0};
-}
 
 /// No turn but along arcs, and these of the radius.
 void expect_smooth(const Path& path) {

@@ -51,14 +51,16 @@ std::vector<Eigen::Vector2d> to_map(const WaypointList& waypoints, const std::op
 void append(WaypointList& waypoints, const Eigen::Vector2d& in_map, const std::optional<LocalFrame>& map);
 
 /// Waypoints of a file, in the order of driving; all of one kind. By its ending:
-///   .csv         the columns `x,y` or `latitude,longitude`, named in the first line; `#` begins a comment
-///   .yaml, .yml  `waypoints:`, a list of `[x, y]`, `{x: , y: }` or `{latitude: , longitude: }`, the latter
-///   two
-///                with `speed`, `wait` (seconds, or `resume`) and `reverse` as wanted, see WaypointTask
-///   or `field:`, a FieldTask, with its `border`
-///   .geojson, .json, .kml  a line, or the outer ring of a polygon, else the points; a polygon of GeoJSON
-///   with the property `coverage_width` is a field .gpx         the route, else the track, else the waypoints
-///   .plan, .waypoints  what QGroundControl, Mission Planner and others save, of waypoints alone
+///
+/// - .csv: the columns `x,y` or `latitude,longitude`, named in the first line; `#` begins a comment
+/// - .yaml, .yml: `waypoints:`, a list of `[x, y]`, `{x: , y: }` or `{latitude: , longitude: }`, the latter
+///   two with `speed`, `wait` (seconds, or `resume`) and `reverse` as wanted, see WaypointTask; or `field:`,
+///   a FieldTask, with its `border`
+/// - .geojson, .json, .kml: a line, or the outer ring of a polygon, else the points; a polygon of GeoJSON
+///   with the property `coverage_width` is a field
+/// - .gpx: the route, else the track, else the waypoints
+/// - .plan, .waypoints: what QGroundControl, Mission Planner and others save, of waypoints alone
+///
 /// A ring is driven round by `loop`. Nothing where there is no such file. Throws ParameterError,
 /// `FILE:LINE: reason`, on the first part that is anything else.
 std::optional<WaypointList> read_waypoints(const std::string& file);
