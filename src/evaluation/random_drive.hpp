@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,15 @@ struct RandomExtras {
   bool velocity = false;
   bool receivers = false;  ///< a second one, of any kind, 0.8 m beside the first one
 };
+
+/// An extra by the name that the command line has for it.
+struct NamedExtra {
+  const char* name;
+  bool RandomExtras::*given;
+};
+constexpr std::array<NamedExtra, 3> kExtras = {{{"gyro", &RandomExtras::gyro},
+                                                {"velocity", &RandomExtras::velocity},
+                                                {"receivers", &RandomExtras::receivers}}};
 
 /// A random robot's drive as a recording, and what only the oracle is told of it.
 struct RandomDrive {

@@ -1,5 +1,6 @@
 #include "tools/evaluate/command_line.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -63,15 +64,10 @@ void read_seeds(const std::string& text, Batch& batch) {
 RandomExtras parse_extras(const std::string& list) {
   RandomExtras extras;
   for (const std::string& name : split(list)) {
-    if (name == "gyro") {
-      extras.gyro = true;
-    } else if (name == "velocity") {
-      extras.velocity = true;
-    } else if (name == "receivers") {
-      extras.receivers = true;
-    } else {
-      throw UsageError(name + " is none of gyro, velocity, receivers");
-    }
+    const auto* const extra = std::find_if(kExtras.begin(), kExtras.end(),
+                                           [&](const NamedExtra& known) { return known.name == name; });
+    if (extra == kExtras.end()) throw UsageError(name + " is none of gyro, velocity, receivers");
+    extras.*extra->given = true;
   }
   return extras;
 }

@@ -19,9 +19,9 @@ namespace {
 Evaluation evaluation_of(const Options& options) {
   Evaluation evaluation;
   evaluation.suite = options.suite;
-  if (options.extras.gyro) evaluation.inputs.emplace_back("gyro");
-  if (options.extras.velocity) evaluation.inputs.emplace_back("velocity");
-  if (options.extras.receivers) evaluation.inputs.emplace_back("receivers");
+  for (const NamedExtra& extra : kExtras) {
+    if (options.extras.*extra.given) evaluation.inputs.emplace_back(extra.name);
+  }
   for (const EstimatorVariant& variant : options.batch.estimators) {
     evaluation.estimators.push_back(variant.label + "=" + variant.name + variant.parameters);
   }
