@@ -54,7 +54,7 @@ void Localizer::start(const std::optional<PosePrior>& prior) {
   standstill_ = {};
   waiting_.clear();
   accepted_.fill(std::nullopt);
-  has_odometry_ = false;
+  has_odometry_ = settled_ = false;
 }
 
 void Localizer::tune(ParameterVisitor& field) {
@@ -84,6 +84,8 @@ void Localizer::add(const OdometryIncrement& reported) {
     apply(measurement);
   }
   advance(increment.stamp);
+  const PoseEstimate estimate = estimator_->estimate();
+  settled_ = settled_ || (estimate.valid && estimate.aligned && position_known(estimate));
 }
 
 void Localizer::add(const Measurement& measurement) {
@@ -159,10 +161,13 @@ Trust Localizer::state() const {
   const PoseEstimate estimate = estimator_->estimate();
   if (!has_odometry_ || !estimate.valid) return Trust::kNotReady;
   if (!estimate.aligned || mirrored()) return Trust::kAligning;
-  const double variance = estimate.position_covariance_overall.trace();
-  if (!(variance < parameters_.lost_sigma * parameters_.lost_sigma)) return Trust::kLost;
+  if (!position_known(estimate)) return settled_ ? Trust::kLost : Trust::kAligning;
   if (now_ - last_accepted() > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
   return estimate.shadow_probability > 0.5 ? Trust::kMultipath : Trust::kGood;
+}
+
+bool Localizer::position_known(const PoseEstimate& estimate) const {
+  return estimate.position_covariance_overall.trace() < parameters_.lost_sigma * parameters_.lost_sigma;
 }
 
 double Localizer::last_accepted() const {

@@ -161,6 +161,21 @@ TEST_F(LocalizerTest, AdaptsTheCovarianceOfFixesWhereAskedTo) {
   EXPECT_TRUE(recorder->covariances.back().isIdentity()) << "a start forgets";
 }
 
+TEST_F(LocalizerTest, APositionThatWasNeverKnownIsNotLostButLookedFor) {
+  recorder->estimate_.valid = recorder->estimate_.aligned = true;
+  recorder->estimate_.position_covariance_overall = 1e4 * Eigen::Matrix2d::Identity();
+  drive(1.0);
+  EXPECT_EQ(localizer->state(), Trust::kAligning) << "a robot that stands would never find it";
+  recorder->estimate_.position_covariance_overall = Eigen::Matrix2d::Identity();
+  drive(1.0);
+  recorder->estimate_.position_covariance_overall = 1e4 * Eigen::Matrix2d::Identity();
+  drive(1.0);
+  EXPECT_EQ(localizer->state(), Trust::kLost);
+  localizer->start(std::nullopt);
+  drive(1.0);
+  EXPECT_EQ(localizer->state(), Trust::kAligning) << "a start forgets";
+}
+
 TEST_F(LocalizerTest, IsTunedWhileItRuns) {
   recorder->estimate_.valid = recorder->estimate_.aligned = true;
   drive(1.0);

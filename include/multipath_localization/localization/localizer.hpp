@@ -91,6 +91,8 @@ class Localizer {
   /// Hands a fix to the estimator with the covariance it is to have; what was observed goes into the report.
   Innovation weigh(GnssFix& fix, MeasurementReport& report);
   [[nodiscard]] bool any_frozen() const;
+  /// Whether its standard deviation is below `lost_sigma`.
+  [[nodiscard]] bool position_known(const PoseEstimate& estimate) const;
   /// When a measurement of the position was accepted last, the start of odometry before the first [s].
   [[nodiscard]] double last_accepted() const;
   [[nodiscard]] std::size_t latest_kind() const;
@@ -111,7 +113,8 @@ class Localizer {
   double now_ = 0.0;
   double driven_ = 0.0;  ///< way since the start [m]
   bool has_odometry_ = false;
-  double start_ = 0.0;                                                            ///< of odometry
+  bool settled_ = false;  ///< heading and position have been known since the start
+  double start_ = 0.0;    ///< of odometry
   std::array<std::optional<double>, std::variant_size_v<Measurement>> accepted_;  ///< last stamp, by kind
 };
 
