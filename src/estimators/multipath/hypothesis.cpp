@@ -20,8 +20,10 @@ void observe(Hypothesis& h, StateIndex index, double value, double variance) {
   const State PH = h.covariance.col(index);
   const double S = PH(index) + variance;
   const double innovation = value - h.mean(index);
-  h.others.correct(State::Unit(index).transpose(), PH / S, Eigen::Matrix<double, 1, 1>(S),
-                   Eigen::Matrix<double, 1, 1>(innovation));
+  if (!h.others.errors.empty()) {
+    h.others.correct(State::Unit(index).transpose(), PH / S, Eigen::Matrix<double, 1, 1>(S),
+                     Eigen::Matrix<double, 1, 1>(innovation));
+  }
   h.mean += PH * (innovation / S);
   h.mean(kYaw) = wrap_angle(h.mean(kYaw));
   h.covariance -= (PH * PH.transpose() / S).eval();

@@ -71,8 +71,9 @@ class HypothesisCloud {
   /// Spreads hypotheses all round the circle about a fix, as that one declares itself.
   void start(const GnssFix& fix);
   /// The same with no more hypotheses than the settings want, every other one with the laws of errors and the
-  /// constants of the odometry that `learnt` has.
-  void start(const GnssFix& fix, const HypothesisCloud& learnt);
+  /// constants of the odometry that `learnt` has, by a receiver whose fixes are off by at most `largest_bias`
+  /// [m].
+  void start(const GnssFix& fix, const HypothesisCloud& learnt, double largest_bias);
   /// Spreads them about a pose; what a fix declares is learnt from the first one.
   void start(const PosePrior& prior);
 
@@ -98,7 +99,7 @@ class HypothesisCloud {
   [[nodiscard]] FixErrors errors_of(std::size_t receiver) const;
 
  private:
-  void spread(std::size_t count);
+  void spread(std::size_t count, double largest_bias);
   void spread_about(const GnssFix& fix);
   void attend(const Sighting& sighting);
   void refresh();

@@ -41,7 +41,7 @@ double ring_sigma(double half) { return kRingSpacing * 2.0 * half / kHeadings; }
 
 }  // namespace
 
-void HypothesisCloud::spread(std::size_t count) {
+void HypothesisCloud::spread(std::size_t count, double largest_bias) {
   hypotheses_.assign(count, Hypothesis{});
   const OdometryNoise& noise = settings_.odometry;
   for (std::size_t i = 0; i < count; ++i) {
@@ -50,8 +50,8 @@ void HypothesisCloud::spread(std::size_t count) {
     h.law = draw_error_law(random);
     h.level = receivers_.level.value_or(0.0);
     h.in_shadow = random.uniform() < kShadowAtStart;
-    h.shadow_law = draw_shadow_law(h.law.open_sigma() * h.level, kLargestStartBias, random);
-    h.shadow_law.size = log_uniform(kLeastStartBias, kLargestStartBias, random);
+    h.shadow_law = draw_shadow_law(h.law.open_sigma() * h.level, largest_bias, random);
+    h.shadow_law.size = log_uniform(kLeastStartBias, std::max(kLeastStartBias, largest_bias), random);
     h.covariance(kScale, kScale) = constant_variance(noise.scale_sigma, kWideScaleSigma, random);
     h.covariance(kGyroBias, kGyroBias) = constant_variance(noise.gyro_bias_sigma, kWideGyroBiasSigma, random);
     h.covariance(kTurnScale, kTurnScale) =
@@ -75,15 +75,16 @@ void HypothesisCloud::spread_about(const GnssFix& fix) {
 
 void HypothesisCloud::start(const GnssFix& fix) {
   receivers_ = {fix.receiver, mean_sigma(fix.covariance), {}};
-  spread(std::max(static_cast<std::size_t>(settings_.particles), kHeadings * kLawsPerHeading));
+  spread(std::max(static_cast<std::size_t>(settings_.particles), kHeadings * kLawsPerHeading),
+         kLargestStartBias);
   spread_about(fix);
 }
 
-void HypothesisCloud::start(const GnssFix& fix, const HypothesisCloud& learnt) {
+void HypothesisCloud::start(const GnssFix& fix, const HypothesisCloud& learnt, double largest_bias) {
   receivers_ = learnt.receivers_;
   receivers_.level = mean_sigma(fix.covariance);
   const auto count = static_cast<std::size_t>(settings_.particles);
-  spread(count);
+  spread(count, largest_bias);
   for (std::size_t i = 0; i < count; ++i) {
     const Hypothesis& teacher = learnt.hypotheses_[i * learnt.hypotheses_.size() / count];
     const bool as_learnt = (i / kHeadings) % 2 == 0;
@@ -98,7 +99,7 @@ void HypothesisCloud::start(const PosePrior& prior) {
   const double yaw_sigma = std::sqrt(prior.covariance(2, 2));
   const bool narrow = yaw_sigma < kNarrowHeading;
   const auto particles = static_cast<std::size_t>(settings_.particles);
-  spread(narrow ? particles : std::max(particles, kHeadings * kLawsPerHeading));
+  spread(narrow ? particles : std::max(particles, kHeadings * kLawsPerHeading), kLargestStartBias);
   const double half = std::min(3.0 * yaw_sigma, kPi);
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     Hypothesis& h = hypotheses_[i];

@@ -32,8 +32,9 @@ void Rival::propagate(const OdometrySum& odometry) {
   if (!cloud_.empty()) cloud_.propagate(odometry);
 }
 
-void Rival::start(const GnssFix& fix, double log_density, const HypothesisCloud& cloud) {
-  cloud_.start(fix, cloud);
+void Rival::start(const Sighting& sighting, double log_density, const HypothesisCloud& cloud) {
+  const GnssFix& fix = sighting.fix;
+  cloud_.start(fix, cloud, sighting.largest_bias);
   age_ = 0.0;
   const Eigen::Vector2d antenna = pose_of(cloud.mixture().mean) * fix.antenna_in_base;
   const double distance = std::max(kNearest, (fix.position - antenna).norm());
@@ -48,8 +49,7 @@ bool Rival::pointless(const HypothesisCloud& cloud) const {
 
 void Rival::weigh(const Sighting& sighting, double log_density, HypothesisCloud& cloud) {
   if (cloud_.empty()) {
-    if (!sighting.standing && cloud.mixture().least_shadow() > kDoubtful)
-      start(sighting.fix, log_density, cloud);
+    if (!sighting.standing && cloud.mixture().least_shadow() > kDoubtful) start(sighting, log_density, cloud);
     return;
   }
   const double log_own_density = cloud_.weigh(sighting);

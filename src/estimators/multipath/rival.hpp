@@ -19,7 +19,7 @@ class Rival {
   void weigh(const Sighting& sighting, double log_density, HypothesisCloud& cloud);
 
  private:
-  void start(const GnssFix& fix, double log_density, const HypothesisCloud& cloud);
+  void start(const Sighting& sighting, double log_density, const HypothesisCloud& cloud);
   [[nodiscard]] bool pointless(const HypothesisCloud& cloud) const;
 
   HypothesisCloud cloud_;

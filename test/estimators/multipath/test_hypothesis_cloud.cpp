@@ -119,7 +119,7 @@ TEST(HypothesisCloud, TakesAnotherInByItsShare) {
   cloud.start(fix_at(0.0, 0.0, 0.3));
   drive(cloud, 40);
   HypothesisCloud other(settings(200), 8);
-  other.start(fix_at(100.0, 50.0, 0.3), cloud);
+  other.start(fix_at(100.0, 50.0, 0.3), cloud, 40.0);
   EXPECT_EQ(other.hypotheses().size(), 200U);
   EXPECT_LT((other.mixture().mean.head<2>() - Eigen::Vector2d(100.0, 50.0)).norm(), 1e-9);
   cloud.take_in(other, 0.25);
@@ -135,11 +135,20 @@ TEST(HypothesisCloud, StartsAnewWithHalfOfWhatItHasLearnt) {
   learnt.start(fix_at(0.0, 0.0, 0.3));
   drive(learnt, 60);
   HypothesisCloud anew(settings(512), 10);
-  anew.start(fix_at(0.0, 0.0, 0.3), learnt);
+  anew.start(fix_at(0.0, 0.0, 0.3), learnt, 40.0);
   int known = 0;
   for (const Hypothesis& h : anew.hypotheses()) known += h.covariance(kScale, kScale) < 1e-4 ? 1 : 0;
   EXPECT_EQ(known, 256);
   EXPECT_GT(anew.mixture().covariance(2, 2), 2.0) << "of the heading nothing is kept";
+}
+
+TEST(HypothesisCloud, AStartBesideAnotherCloudSupposesNoLargerBiasThanItIsTold) {
+  HypothesisCloud learnt(settings(400), 9);
+  learnt.start(fix_at(0.0, 0.0, 0.3));
+  EXPECT_GT(std::sqrt(learnt.mixture().covariance(0, 0)), 20.0) << "receivers start worse than they go on";
+  HypothesisCloud anew(settings(400), 10);
+  anew.start(fix_at(0.0, 0.0, 0.3), learnt, 10.0);
+  EXPECT_LT(std::sqrt(anew.mixture().covariance(0, 0)), 10.0);
 }
 
 TEST(HypothesisCloud, ClearsToNothing) {
