@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/pseudorange/ionospheric_slant.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -35,12 +37,11 @@ double klobuchar_delay(const KlobucharCoefficients& ionosphere, const Geodetic& 
   const double geomagnetic = phi + 0.064 * std::cos((lambda - 1.617) * kPi);
   const double local = 43200.0 * lambda + time.second;
   const double local_time = local - kSecondsOfDay * std::floor(local / kSecondsOfDay);
-  const double slant = 1.0 + 16.0 * std::pow(0.53 - E, 3);
   const double amplitude = std::max(polynomial(ionosphere.alpha, geomagnetic), 0.0);
   const double period = std::max(polynomial(ionosphere.beta, geomagnetic), 72000.0);
   const double x = 2.0 * kPi * (local_time - 50400.0) / period;
   const double day = std::abs(x) < 1.57 ? amplitude * (1.0 - x * x / 2.0 + x * x * x * x / 24.0) : 0.0;
-  return kSpeedOfLight * slant * (5e-9 + day);
+  return kSpeedOfLight * ionospheric_slant(satellite.elevation) * (5e-9 + day);
 }
 
 double saastamoinen_delay(const Geodetic& antenna, double elevation) {

@@ -10,7 +10,8 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kStoppingTime = 0.2;  // of a slip once the wheels stand [s]
+constexpr double kStoppingTime = 0.2;      // of a slip once the wheels stand [s]
+constexpr double kZenithDelayWalk = 0.01;  // of the ionosphere: a metre in three hours [m/sqrt(s)]
 
 /// P - r r' of n x n, column by column.
 void subtract_square(double* P, const double* r, Eigen::Index n) {
@@ -140,6 +141,7 @@ void PseudorangeBelief::add_noise(const PreintegratedOdometry& odometry, const E
   P(kUp, kUp) += square(noise.up_walk) * moving;
   P(kClock, kClock) += square(noise.clock_walk) * dt;
   P(kDrift, kDrift) += square(noise.drift_walk) * dt;
+  P(kZenithDelay, kZenithDelay) += square(kZenithDelayWalk) * dt;
   // Rounding is to leave P symmetric. Only these rows and columns were changed apart.
   P.leftCols<kFixed>() = P.topRows<kFixed>().transpose().eval();
   P.topLeftCorner<kFixed, kFixed>() = symmetric<kFixed>(P.topLeftCorner<kFixed, kFixed>());

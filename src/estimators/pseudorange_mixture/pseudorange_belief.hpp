@@ -44,7 +44,7 @@ class SparseRow {
   [[nodiscard]] double value(int i) const { return values_[static_cast<std::size_t>(i)]; }
 
  private:
-  static constexpr std::size_t kMost = 8;
+  static constexpr std::size_t kMost = 9;
   std::array<int, kMost> states_{};
   std::array<double, kMost> values_{};
   int size_ = 0;
@@ -53,10 +53,11 @@ class SparseRow {
 /// Gaussian over what pseudoranges and odometry depend on: x, y [m] and yaw [rad] of the base in map, speed
 /// scale [1] and gyro bias [rad/s] of the odometry, height of the antenna in map [m], receiver clock against
 /// GPS time [m] and its drift [m/s], the velocity in map that the odometry does not see, east and north
-/// [m/s], and one number in metres for each slot: the slowly varying bias of a satellite in line of sight, or
-/// the offset of another constellation's clock. Storage is of fixed size.
+/// [m/s], what the ionosphere delays at the zenith beyond what the ranges are corrected by [m], and one
+/// number in metres for each slot: the slowly varying bias of a satellite in line of sight, or the offset of
+/// another constellation's clock. Storage is of fixed size.
 struct PseudorangeBelief {
-  enum State : int { kUp = kPlanarSize, kClock, kDrift, kVelocityEast, kVelocityNorth, kFixed };
+  enum State : int { kUp = kPlanarSize, kClock, kDrift, kVelocityEast, kVelocityNorth, kZenithDelay, kFixed };
   static constexpr int kMaxSize = kFixed + SatelliteSlots::kCapacity;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSize, 1>;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxSize, kMaxSize>;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "models/pseudorange/ionospheric_slant.hpp"
 #include "multipath_localization/core/covariance.hpp"
 #include "multipath_localization/models/pseudorange/pseudorange.hpp"
 #include "support/numbers.hpp"
@@ -81,8 +82,10 @@ struct RangePrediction {
     H.set(State::kClock, 1.0);
     H.set(State::kDrift, -epoch.age);
     H.set(State::state_of(satellite.bias_slot), 1.0);
+    const double slant = ionospheric_slant(satellite.observation.elevation);
+    H.set(State::kZenithDelay, slant);
     range = sight.range + belief.mean(State::kClock) - epoch.age * belief.mean(State::kDrift) +
-            belief.mean(State::state_of(satellite.bias_slot));
+            slant * belief.mean(State::kZenithDelay) + belief.mean(State::state_of(satellite.bias_slot));
     if (satellite.offset_slot < 0) return;
     H.set(State::state_of(satellite.offset_slot), 1.0);
     range += belief.mean(State::state_of(satellite.offset_slot));

@@ -81,7 +81,8 @@ class PseudorangeMixtureFilter : public Estimator {
   }
   [[nodiscard]] PseudorangeBelief unknown_belief() const;
   [[nodiscard]] PseudorangeHypothesis hypothesis_at(const PseudorangeSeed& seed, double yaw,
-                                                    const Eigen::Vector2d& antenna_in_base) const;
+                                                    const Eigen::Vector2d& antenna_in_base,
+                                                    const std::optional<ReceiverPrior>& receiver) const;
   [[nodiscard]] std::optional<AntennaPrior> antenna_prior(const Eigen::Vector2d& antenna_in_base) const;
   [[nodiscard]] SlottedEpoch slotted(const PseudorangeEpoch& epoch);
   [[nodiscard]] const MotionLaws& laws() const {

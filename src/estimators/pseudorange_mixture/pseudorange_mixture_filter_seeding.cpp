@@ -17,6 +17,7 @@ constexpr std::uint32_t kSeeding = 0xFFFFFFFEU;  // random streams beside those 
 constexpr double kSeedSigma = 5.0;               // [m]
 constexpr double kSeedLogScale = 3.0;            // tempers the choice of seeds: errors of one epoch mislead
 constexpr double kAnyYaw = 1.8;                  // of any heading [rad]
+constexpr double kZenithDelaySigma = 4.0;        // without coefficients of the day, or of what they leave [m]
 constexpr double kAnySpeed = 10.0;               // of a robot without wheels [m/s]
 constexpr double kNewView = 2.0;                 // satellites come into view: the sky is another one
 constexpr int kReseedPart = 4;                   // of the hypotheses at the start
@@ -27,6 +28,15 @@ bool is_new_view(const SlottedEpoch& epoch) {
   double sum = 0.0;
   for (const SlottedObservation& satellite : epoch.satellites) sum += satellite.share;
   return sum > kNewView;
+}
+
+/// Of a receiver that was switched on just now.
+ReceiverPrior unknown_receiver(const PseudorangeMixtureFilterParameters& parameters) {
+  ReceiverPrior prior;
+  prior.up_variance = square(parameters.start_up_sigma);
+  prior.offset_variance.fill(square(parameters.receiver.offset_sigma));
+  prior.zenith_delay_variance = square(kZenithDelaySigma);
+  return prior;
 }
 
 }  // namespace
@@ -43,6 +53,7 @@ PseudorangeBelief PseudorangeMixtureFilter::unknown_belief() const {
   const double up = square(parameters_.start_up_sigma);
   P(State::kUp, State::kUp) = P(State::kClock, State::kClock) = up;
   P(State::kUp, State::kClock) = P(State::kClock, State::kUp) = kUpClockCorrelation * up;
+  P(State::kZenithDelay, State::kZenithDelay) = square(kZenithDelaySigma);
   P(State::kDrift, State::kDrift) = square(parameters_.start_drift_sigma);
   if (last_.from_range_rates) {
     P(kYaw, kYaw) = square(kAnyYaw);
@@ -51,8 +62,9 @@ PseudorangeBelief PseudorangeMixtureFilter::unknown_belief() const {
   return belief;
 }
 
-PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeSeed& seed, double yaw,
-                                                              const Eigen::Vector2d& antenna_in_base) const {
+PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(
+    const PseudorangeSeed& seed, double yaw, const Eigen::Vector2d& antenna_in_base,
+    const std::optional<ReceiverPrior>& receiver) const {
   using State = PseudorangeBelief;
   PseudorangeBelief belief =
       has_clock_ || bank_.empty() ? unknown_belief() : bank_.hypotheses().front().likeliest();
@@ -68,6 +80,7 @@ PseudorangeHypothesis PseudorangeMixtureFilter::hypothesis_at(const PseudorangeS
     if (state == belief.mean.size()) belief.append(bank_.unknown_variance(owner));
     if (!owner.satellite) belief.mean(state) = seed.offset[static_cast<std::size_t>(owner.constellation)];
   }
+  if (receiver) make_as_sure(belief, slots_, *receiver);
   PseudorangeHypothesis hypothesis(belief, laws());
   if (has_clock_ && !bank_.empty()) hypothesis.learn_from(bank_.heaviest());
   return hypothesis;
@@ -86,25 +99,29 @@ bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double
   const int subsets = has_clock_ ? std::max(1, parameters_.subsets / kReseedPart) : parameters_.subsets;
   const PseudorangeSeedingParameters settings{subsets, kSeedSigma, parameters_.receiver.offset_sigma,
                                               kSeedLogScale};
+  const bool known = has_clock_ && !alignment_.in_doubt();
+  const double variance = bank_.place().overall_position_covariance.trace();
+  SeedPrior prior{antenna_prior(epoch.antenna_in_base), std::nullopt};
+  if (known) {
+    prior.receiver =
+        receiver_prior(bank_.heaviest().likeliest(), slots_, unknown_receiver(parameters_), variance);
+  }
   RandomStream random(seed_, step_, kSeeding);
-  const auto seeds =
-      pseudorange_seeds(observations, antenna_prior(epoch.antenna_in_base), static_cast<std::size_t>(count),
-                        parameters_.errors.mixture, settings, random);
+  const auto seeds = pseudorange_seeds(observations, prior, static_cast<std::size_t>(count),
+                                       parameters_.errors.mixture, settings, random);
   if (seeds.empty()) return false;
   // Headings by the golden ratio: evenly over the circle for each stretch of the seeds.
   double turn = random.uniform();
-  const bool known = has_clock_ && !alignment_.in_doubt();
-  const double sigma = std::sqrt(bank_.place().overall_position_covariance.trace());
   const double delay = parameters_.errors.mixture.nlos_delay;
   std::vector<PseudorangeHypothesis> newcomers;
   for (const PseudorangeSeed& seed : seeds) {
     const bool keeps_heading = alignment_.aligned() && newcomers.size() % 2 == 1;
     const double yaw = keeps_heading ? bank_.cluster().belief.mean(kYaw) : kPi * (2.0 * turn - 1.0);
-    newcomers.push_back(hypothesis_at(seed, yaw, epoch.antenna_in_base));
+    newcomers.push_back(hypothesis_at(seed, yaw, epoch.antenna_in_base, prior.receiver));
     newcomers.back().log_weight = std::log(probability / static_cast<double>(count));
     if (known) {
       const double distance = (seed.position.head<2>() - bank_.place().belief.mean.head<2>()).norm();
-      newcomers.back().log_weight += log_probability_of_place(distance, sigma, delay);
+      newcomers.back().log_weight += log_probability_of_place(distance, std::sqrt(variance), delay);
     }
     turn = std::fmod(turn + kGoldenRatio, 1.0);
   }

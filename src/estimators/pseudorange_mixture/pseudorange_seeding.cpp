@@ -33,8 +33,22 @@ struct Information {
   Matrix matrix = Matrix::Zero();
 };
 
-Information information(const PseudorangeSolution& plain, const std::optional<AntennaPrior>& prior,
-                        double offset_sigma) {
+void take_in(const AntennaPrior& prior, Information& known) {
+  const Eigen::Matrix2d rounding = square(kLeastPriorSigma) * Eigen::Matrix2d::Identity();
+  known.mean.head<2>() = prior.position;
+  known.matrix.topLeftCorner<2, 2>() = (prior.covariance + rounding).inverse();
+}
+
+void take_in(const ReceiverPrior& prior, Information& known) {
+  known.mean(2) = prior.up;
+  known.matrix(2, 2) = 1.0 / prior.up_variance;
+  for (int k = 5; k < kUnknowns; ++k) {
+    known.mean(k) = prior.offset[static_cast<std::size_t>(k - 4)];
+    known.matrix(k, k) = 1.0 / prior.offset_variance[static_cast<std::size_t>(k - 4)];
+  }
+}
+
+Information information(const PseudorangeSolution& plain, const SeedPrior& prior, double offset_sigma) {
   Information known;
   known.mean.head<3>() = plain.position;
   known.matrix.diagonal().setConstant(1.0 / square(kFarSigma));
@@ -44,11 +58,8 @@ Information information(const PseudorangeSolution& plain, const std::optional<An
   }
   for (int k = 5; k < kUnknowns; ++k) known.matrix(k, k) = 1.0 / square(offset_sigma);
   known.matrix(4, 4) = 1e6;  // GPS is the reference
-  if (prior) {
-    known.mean.head<2>() = prior->position;
-    const Eigen::Matrix2d rounding = square(kLeastPriorSigma) * Eigen::Matrix2d::Identity();
-    known.matrix.topLeftCorner<2, 2>() = (prior->covariance + rounding).inverse();
-  }
+  if (prior.antenna) take_in(*prior.antenna, known);
+  if (prior.receiver) take_in(*prior.receiver, known);
   return known;
 }
 
@@ -137,7 +148,7 @@ PseudorangeSeed seed_of(const Vector& state, double log_likelihood) {
 }  // namespace
 
 std::vector<PseudorangeSeed> pseudorange_seeds(const std::vector<SatelliteObservation>& observations,
-                                               const std::optional<AntennaPrior>& prior, std::size_t count,
+                                               const SeedPrior& prior, std::size_t count,
                                                const SatelliteMixtureParameters& mixture,
                                                const PseudorangeSeedingParameters& parameters,
                                                RandomStream& random) {

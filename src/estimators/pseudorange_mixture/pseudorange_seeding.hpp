@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "estimators/pseudorange_mixture/receiver_prior.hpp"
 #include "multipath_localization/core/random.hpp"
 #include "multipath_localization/models/pseudorange/pseudorange.hpp"
 #include "multipath_localization/models/pseudorange/satellite_mixture.hpp"
@@ -32,11 +33,17 @@ struct AntennaPrior {
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< [m^2]
 };
 
+/// What is known before the epoch.
+struct SeedPrior {
+  std::optional<AntennaPrior> antenna;
+  std::optional<ReceiverPrior> receiver;
+};
+
 /// Draws `count` positions: least squares over random subsets of the epoch, each just large enough and
 /// preferring satellites likely to be in line of sight, weighed by how well all satellites fit. Empty when
 /// the epoch has too few satellites for a position.
 std::vector<PseudorangeSeed> pseudorange_seeds(const std::vector<SatelliteObservation>& observations,
-                                               const std::optional<AntennaPrior>& prior, std::size_t count,
+                                               const SeedPrior& prior, std::size_t count,
                                                const SatelliteMixtureParameters& mixture,
                                                const PseudorangeSeedingParameters& parameters,
                                                RandomStream& random);

@@ -51,8 +51,8 @@ class KnownDrive {
   [[nodiscard]] PseudorangeHypothesis known() const {
     PseudorangeBelief belief;
     belief.mean << drive_.truth.x, drive_.truth.y, drive_.truth.yaw, drive_.errors.speed_scale,
-        drive_.errors.gyro_bias, drive_.up, drive_.clock, drive_.drift, 0.0, 0.0;
-    belief.covariance.diagonal() << 4.0, 4.0, 1e-4, 1e-6, 1e-8, 4.0, 4.0, 0.01, 1e-4, 1e-4;
+        drive_.errors.gyro_bias, drive_.up, drive_.clock, drive_.drift, 0.0, 0.0, 0.0;
+    belief.covariance.diagonal() << 4.0, 4.0, 1e-4, 1e-6, 1e-8, 4.0, 4.0, 0.01, 1e-4, 1e-4, 1e-4;
     return {belief, laws_of_wheels()};
   }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "estimators/pseudorange_mixture/pseudorange_kalman_filter.hpp"
+#include "models/pseudorange/ionospheric_slant.hpp"
 #include "satellite_drive.hpp"
 
 namespace multipath_localization {
@@ -19,9 +20,9 @@ PseudorangeKalmanFilter knowing(const SatelliteDrive& drive, double position_sig
   auto& x = filter.belief.mean;
   auto& P = filter.belief.covariance;
   x << drive.truth.x, drive.truth.y, drive.truth.yaw, drive.errors.speed_scale, drive.errors.gyro_bias,
-      drive.up, drive.clock, drive.drift, 0.0, 0.0;
+      drive.up, drive.clock, drive.drift, 0.0, 0.0, 0.0;
   P.diagonal() << position_sigma * position_sigma, position_sigma * position_sigma, yaw_sigma * yaw_sigma,
-      1e-6, 1e-8, 4.0, 4.0, 0.01, 1e-4, 1e-4;
+      1e-6, 1e-8, 4.0, 4.0, 0.01, 1e-4, 1e-4, 1e-4;
   for (std::size_t i = 0; i <= drive.sky.size(); ++i) filter.append(0.01);
   x(State::state_of(0)) = drive.offset;
   return filter;
@@ -72,6 +73,21 @@ TEST(PseudorangeKalmanFilter, IsNotMovedByLateSignals) {
   EXPECT_NEAR(filter.line_of_sight_share, 8.0 / 13.0, 0.05);
   EXPECT_LT(filter.chain[1], 0.1);
   EXPECT_GT(filter.chain[7], 0.8);
+}
+
+TEST(PseudorangeKalmanFilter, LearnsWhatTheIonosphereDelaysAtTheZenith) {
+  constexpr double kZenithDelay = 5.0;
+  SatelliteDrive drive(11);
+  drive.range_sigma = 0.0;
+  for (const SatelliteObservation& satellite : drive.sky) {
+    drive.biases.push_back(kZenithDelay * ionospheric_slant(satellite.elevation));
+  }
+  PseudorangeKalmanFilter filter = knowing(drive, 5.0, 0.01);
+  filter.belief.covariance(State::kZenithDelay, State::kZenithDelay) = 16.0;
+  for (int i = 0; i < 20; ++i) filter.update(slotted(drive, 0.0), kErrors);
+  EXPECT_NEAR(filter.belief.mean(State::kZenithDelay), kZenithDelay, 1.0);
+  EXPECT_LT(position_error(filter, drive), 0.3);
+  EXPECT_NEAR(filter.belief.mean(State::kUp), drive.up, 1.0);
 }
 
 TEST(PseudorangeKalmanFilter, EvidenceTellsRightFromWrong) {

@@ -24,7 +24,7 @@ std::vector<SatelliteObservation> delayed_sky(const std::vector<std::size_t>& de
 }
 
 std::vector<PseudorangeSeed> seeds(const std::vector<SatelliteObservation>& sky, std::uint64_t seed,
-                                   const std::optional<AntennaPrior>& prior = std::nullopt) {
+                                   const SeedPrior& prior = SeedPrior()) {
   RandomStream random(seed, 0, 0);
   return pseudorange_seeds(sky, prior, 40, kMixture, kSettings, random);
 }
@@ -49,14 +49,14 @@ TEST(PseudorangeSeeds, TellClockAndOffset) {
 
 TEST(PseudorangeSeeds, FollowAPriorThatIsSure) {
   const AntennaPrior prior{{330.0, -150.0}, 1e-4 * Eigen::Matrix2d::Identity()};
-  for (const PseudorangeSeed& seed : seeds(delayed_sky({}), 3, prior)) {
+  for (const PseudorangeSeed& seed : seeds(delayed_sky({}), 3, {prior, std::nullopt})) {
     EXPECT_LT((seed.position.head<2>() - prior.position).norm(), 0.1);
   }
 }
 
 TEST(PseudorangeSeeds, TakeAPriorKnownAlongALineAlone) {
   const AntennaPrior prior{kAntenna.head<2>(), Eigen::Matrix2d::Constant(4.0)};
-  const auto all = seeds(delayed_sky({}), 3, prior);
+  const auto all = seeds(delayed_sky({}), 3, {prior, std::nullopt});
   EXPECT_FALSE(all.empty());
   for (const PseudorangeSeed& seed : all) {
     const Eigen::Vector2d off = seed.position.head<2>() - prior.position;
@@ -75,6 +75,29 @@ TEST(PseudorangeSeeds, NeedEnoughSatellites) {
   auto sky = delayed_sky({});
   sky.resize(3);
   EXPECT_TRUE(seeds(sky, 6).empty());
+}
+
+TEST(PseudorangeSeeds, TakeNoReflectionsForAnOffsetThatIsKnown) {
+  const auto all = delayed_sky({});
+  std::vector<SatelliteObservation> few = {all[0], all[2], all[3], all[5], all[8], all[10]};
+  for (std::size_t i = 4; i < few.size(); ++i) few[i].pseudorange += 12.0;  // both of GLONASS
+  ReceiverPrior known;
+  known.up = kAntenna.z();
+  known.up_variance = 1.0;
+  known.offset[static_cast<std::size_t>(Constellation::kGlonass)] = -8.0;
+  known.offset_variance.fill(1.0);
+  const auto offset_error = [&few](const SeedPrior& prior) {
+    double most = 0.0;
+    for (const PseudorangeSeed& seed : seeds(few, 4, prior)) {
+      most = std::max(most, std::abs(seed.offset[static_cast<std::size_t>(Constellation::kGlonass)] + 8.0));
+    }
+    return most;
+  };
+  EXPECT_GT(offset_error(SeedPrior()), 8.0);
+  EXPECT_LT(offset_error({std::nullopt, known}), 3.0);
+  for (const PseudorangeSeed& seed : seeds(few, 4, {std::nullopt, known})) {
+    EXPECT_NEAR(seed.position.z(), kAntenna.z(), 3.0);
+  }
 }
 
 }  // namespace
