@@ -51,7 +51,8 @@ struct Stages {
   InstructionSet set = best_instruction_set();
   ParticleCloud cloud{set};
   SteeringMotion motion{workload::kIncrement, SteeringNoiseParameters()};
-  GnssLikelihood likelihood{workload::parameters(1).likelihood, workload::fix(0), 0.5, 0.5, 0.0};
+  GnssLikelihood likelihood{
+      workload::parameters(1).likelihood, workload::fix(0), 0.5, {{0.0, 0.0}, 0.5}, 0.0};
   RandomWords words;
   Normals normals;
   std::vector<std::uint32_t> ancestors;

@@ -98,6 +98,42 @@ TEST(RunBatch, RunsVariantsOfOneEstimatorSideBySide) {
   EXPECT_LT(*large["repaired"].rmse, 0.03);
 }
 
+/// Means over seeds 1..4 of the simulation of [NIS] [m].
+struct InShadow {
+  double rmse = 0.0;
+  double fix_rmse = 0.0;
+  double worst_miss = 0.0;  ///< of a waypoint
+};
+
+/// Of config/working, with `more` set otherwise.
+InShadow first_paper(const std::map<std::string, std::string>& more) {
+  YAML::Node settings = YAML::LoadFile(std::string(CONFIG_DIR) + "/working/nishida_particle_filter.yaml");
+  for (const auto& [key, value] : more) settings[key] = value;
+  settings.SetStyle(YAML::EmitterStyle::Flow);
+  Batch batch = batch_of(4);
+  batch.estimators = parse_variants("nishida_particle_filter" + YAML::Dump(settings));
+  InShadow mean;
+  for (const RunRecord& run :
+       made(batch, load_scenario(std::string(CONFIG_DIR) + "/scenarios/nishida.yaml"), 1)) {
+    EXPECT_EQ(run.failure, "");
+    mean.rmse += *run.score.rmse_shadow / 4.0;
+    mean.fix_rmse += *run.fixes.rmse_shadow / 4.0;
+    mean.worst_miss += *run.course.worst_miss / 4.0;
+  }
+  return mean;
+}
+
+TEST(RunBatch, FirstPaperWorksByItsThreeDeparturesAndByNoneLess) {
+  constexpr double kCrossingWidth = 2.0;  // [m] of the scenario
+  const InShadow working = first_paper({});
+  EXPECT_LT(working.rmse, 0.25 * working.fix_rmse);
+  EXPECT_LT(working.worst_miss, kCrossingWidth);
+  const InShadow blind = first_paper({{"sky", "fixed"}});
+  EXPECT_GT(blind.rmse, 0.5 * blind.fix_rmse);
+  EXPECT_GT(first_paper({{"shadow_place", "ring"}}).rmse, 1.3 * working.rmse);
+  EXPECT_GT(first_paper({{"bias_motion", "rate"}}).rmse, 1.3 * working.rmse);
+}
+
 TEST(RunBatch, SaysWhyARunDidNotEnd) {
   Drive drive = made(batch_of(1), short_street(), 1).front().drive;
   drive.truth.clear();

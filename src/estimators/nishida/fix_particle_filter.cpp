@@ -32,13 +32,26 @@ Eigen::Vector2d of_length(double length, const Eigen::Vector2d& direction) {
   return norm > 0.0 ? Eigen::Vector2d(length / norm * direction) : Eigen::Vector2d(length, 0.0);
 }
 
+/// The share of Eq. (31) in Eq. (33) of [NIS], where the sky is open with probability `open`.
+double shadow_weight(const FixParticleFilterParameters& parameters, double open) {
+  const double fixed = parameters.ring.shadow_weight;
+  return parameters.bias.sky == Sky::kScatter && fixed > 0.0 ? 1.0 - open : fixed;
+}
+
+/// The share of the ring in Eq. (22) of [NIS]. It is where the robot may be if the fix is right, so it
+/// supposes open sky.
+double ring_fraction(const FixParticleFilterParameters& parameters, double open) {
+  const double fixed = parameters.ring.ring_fraction;
+  return parameters.bias.sky == Sky::kScatter ? fixed * open : fixed;
+}
+
 }  // namespace
 
 FixParticleFilter::FixParticleFilter(const FixParticleFilterParameters& parameters, std::uint64_t seed,
                                      InstructionSet set)
     : parameters_(parameters),
       seed_(seed),
-      bias_radius_(parameters.bias),
+      bias_filter_(parameters.bias),
       heading_(parameters.heading),
       particles_(set),
       bins_(parameters.sampling) {}
@@ -46,7 +59,7 @@ FixParticleFilter::FixParticleFilter(const FixParticleFilterParameters& paramete
 void FixParticleFilter::start(const std::optional<PosePrior>& prior) {
   particles_.reset(0);
   fix_check_.forget();
-  bias_radius_.forget();
+  bias_filter_.forget();
   estimate_ = PoseEstimate();
   step_ = 0;
   now_ = last_fix_ = 0.0;
@@ -123,11 +136,13 @@ Innovation FixParticleFilter::update(const Measurement& z) {
   }
   const Innovation result = compare(*fix);
   const FixSigmas sigma = fix_sigmas(parameters_.likelihood, *fix);
-  const double radius =
-      bias_radius_.update(fix->position, predicted_ * fix->antenna_in_base, sigma.shadow, now_ - last_fix_);
-  if (estimate_.aligned && parameters_.ring.ring_fraction > 0.0) sample_ring(radius, sigma);
+  const Eigen::Vector2d bias =
+      bias_filter_.update(fix->position, predicted_ * fix->antenna_in_base, sigma, now_ - last_fix_);
+  if (estimate_.aligned && parameters_.ring.ring_fraction > 0.0) sample_ring(bias.norm(), sigma);
+  const bool vector = parameters_.ring.shadow_place == ShadowPlace::kVector;
   const GnssLikelihood likelihood(
-      parameters_.likelihood, *fix, parameters_.ring.shadow_weight, radius,
+      parameters_.likelihood, *fix, shadow_weight(parameters_, bias_filter_.open_probability()),
+      vector ? ShadowRing{bias, 0.0} : ShadowRing{Eigen::Vector2d::Zero(), bias.norm()},
       heading_.heading(fix->position - rotation(predicted_.yaw) * fix->antenna_in_base));
   particles_.weigh([&](const PoseBlock& poses, double* log_weight, double* factor, float* shadow_share) {
     likelihood.add_to(particles_.instruction_set(), poses, log_weight, factor, shadow_share);
@@ -135,8 +150,9 @@ Innovation FixParticleFilter::update(const Measurement& z) {
   cluster_reach_ = std::max(kLeastClusterReach, kClusterSigmas * sigma.direct);
   take_stock();
   if (parameters_.ring.shadow_weight > 0.0) {
-    estimate_.bias = of_length(radius, fix->position - predicted_ * fix->antenna_in_base);
-    estimate_.bias_covariance = bias_radius_.covariance();
+    estimate_.bias =
+        vector ? bias : of_length(bias.norm(), fix->position - predicted_ * fix->antenna_in_base);
+    estimate_.bias_covariance = bias_filter_.covariance();
   }
   if (estimate_.effective_sample_size < parameters_.ess_threshold) resample();
   last_fix_ = now_;
@@ -164,7 +180,8 @@ void FixParticleFilter::sample_ring(double radius, const FixSigmas& sigma) {
   const auto size = static_cast<double>(particles_.size());
   const double log_scale = -std::log(size) - 0.5 * std::log(2.0 * kPi * square(sigma.shadow));
   RandomStream draw(seed_, step_, kRing);
-  const double count = std::floor(parameters_.ring.ring_fraction * size + draw.uniform());
+  const double count =
+      std::floor(ring_fraction(parameters_, bias_filter_.open_probability()) * size + draw.uniform());
   const double offset = draw.uniform();
   RandomWords words;
   Normals normals;
@@ -210,8 +227,9 @@ void FixParticleFilter::describe(const PoseSums& sums, const Pose2& reference) {
   estimate_.pose = within.mean;
   estimate_.covariance = within.covariance;
   estimate_.covariance.diagonal() += Eigen::Vector3d(floor, floor, square(kYawSigmaFloor));
-  estimate_.position_covariance_overall =
-      floor * Eigen::Matrix2d::Identity() + position_spread(sums, reference, within.mean.position());
+  estimate_.covariance.topLeftCorner<2, 2>() += bias_filter_.moved_unseen();
+  estimate_.position_covariance_overall = floor * Eigen::Matrix2d::Identity() + bias_filter_.moved_unseen() +
+                                          position_spread(sums, reference, within.mean.position());
   estimate_.dominance = std::min(1.0, sums.members.w);
   estimate_.aligned =
       estimate_.dominance > kAlignedDominance && estimate_.covariance(2, 2) < square(kAlignedYawSigma);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "estimators/nishida/bias_radius.hpp"
+#include "estimators/nishida/bias_filter.hpp"
 #include "estimators/nishida/fix_heading.hpp"
 #include "models/fix/gnss_likelihood.hpp"
 #include "models/motion/steering_motion.hpp"
@@ -19,10 +19,15 @@ namespace multipath_localization {
 /// What weight a particle drawn on the ring gets, as `ring_weight` says.
 enum class RingWeight { kDeviation, kPrinted };
 
-/// Decisions about Eqs. (22)-(26), (33) of [NIS]: what the method adds to a conventional particle filter.
+/// Where a fix in shadow puts the robot, as `shadow_place` says.
+enum class ShadowPlace { kRing, kVector };
+
+/// Decisions about Eqs. (22)-(26), (32), (33) of [NIS]: what the method adds to a conventional particle
+/// filter.
 struct RingParameters {
   double ring_fraction = 0.05;
   RingWeight ring_weight = RingWeight::kDeviation;
+  ShadowPlace shadow_place = ShadowPlace::kRing;
   double shadow_weight = 0.5;
 
   void fields(ParameterVisitor& field);
@@ -81,7 +86,7 @@ class FixParticleFilter : public Estimator {
   std::uint64_t seed_;
   std::uint32_t step_ = 0;
   FixCheck fix_check_;
-  BiasRadius bias_radius_;
+  BiasFilter bias_filter_;
   FixHeading heading_;
   double now_ = 0.0;
   double last_fix_ = 0.0;

@@ -7,6 +7,10 @@ void RingParameters::fields(ParameterVisitor& field) {
         "share of the particles drawn on the ring round the estimate at each fix, Eq. (22)");
   field("ring_weight", ring_weight, {"deviation", "printed"},
         "weight of a particle on the ring, Eq. (26): deviation = by rho - r_hat; printed = by rho");
+  field("shadow_place", shadow_place, {"ring", "vector"},
+        "where a fix in shadow puts the robot, Eq. (32): ring = r_hat from it in any direction, as printed; "
+        "vector "
+        "= where the bias comes from");
   field("shadow_weight", shadow_weight, {0.0, 1.0}, "1", "share of the shadow's likelihood in Eq. (33)");
 }
 

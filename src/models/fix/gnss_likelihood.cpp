@@ -61,11 +61,15 @@ void direct_product(const AntennaErrors* error, Kernel kernel, double* direct, s
   for (std::size_t i = 0; i < size; ++i) direct[i] = kernel(square(error->x[i]) + square(error->y[i]));
 }
 
-/// The position's term of Eqs. (31), (32): the distance from the ring.
-void shadow_ring(const AntennaErrors* error, Kernel kernel, double radius, double* ring, std::size_t size) {
+/// The position's term of Eqs. (31), (32): the distance from the ring. Departs where the ring is off the fix.
+void shadow_ring(const AntennaErrors* error, Kernel kernel, const ShadowRing* ring, double* term,
+                 std::size_t size) {
+  const double east = ring->offset.x();
+  const double north = ring->offset.y();
+  const double radius = ring->radius;
 #pragma omp simd
   for (std::size_t i = 0; i < size; ++i) {
-    ring[i] = kernel(square(std::sqrt(square(error->x[i]) + square(error->y[i])) - radius));
+    term[i] = kernel(square(std::sqrt(square(error->x[i] + east) + square(error->y[i] + north)) - radius));
   }
 }
 
@@ -129,9 +133,10 @@ FixSigmas fix_sigmas(const GnssLikelihoodParameters& parameters, const GnssFix& 
 }
 
 GnssLikelihood::GnssLikelihood(const GnssLikelihoodParameters& parameters, const GnssFix& fix,
-                               double shadow_weight, double ring_radius, const std::optional<double>& heading)
+                               double shadow_weight, const ShadowRing& ring,
+                               const std::optional<double>& heading)
     : cross_(parameters.likelihood_kernel == LikelihoodKernel::kCross),
-      ring_radius_(ring_radius),
+      ring_(ring),
       shadow_weight_(shadow_weight),
       sigma_(fix_sigmas(parameters, fix)),
       sigma_p_(parameters.sigma_p),
@@ -157,7 +162,7 @@ void GnssLikelihood::add_to(InstructionSet set, const PoseBlock& poses, double* 
   }
   if (shadow_weight_ > 0.0) {
     const Kernel shadow(shadow_weight_ * position, sigma_.shadow);
-    run<shadow_ring>(set, errors, shadow, ring_radius_, terms.add(1.0), poses.size);
+    run<shadow_ring>(set, errors, shadow, &ring_, terms.add(1.0), poses.size);
   }
   if (heading_) {
     run<heading_error>(set, poses, Kernel(1.0 / 3.0, sigma_p_), *heading_, terms.add(shadow_weight_));

@@ -32,17 +32,23 @@ struct FixSigmas {
 /// Those of the parameters, raised to what the receiver declares where that is asked for.
 FixSigmas fix_sigmas(const GnssLikelihoodParameters& parameters, const GnssFix& fix);
 
+/// Where a fix in shadow puts the antenna: `radius` [m] from the fix less `offset`, in map [m].
+struct ShadowRing {
+  Eigen::Vector2d offset = Eigen::Vector2d::Zero();
+  double radius = 0.0;
+};
+
 /// The likelihood of one fix at any number of poses, Eq. (33) of [NIS]: a mixture of Gaussian kernels, in
 /// logarithms so that no distance underflows.
 ///
 /// Departs: delta(.), called Dirac's, is read as the difference.
 class GnssLikelihood {
  public:
-  /// `shadow_weight` is the share of Eq. (31) in Eq. (33): 1/2 there, 0 for Eq. (47). `ring_radius` is r_hat
-  /// of Eq. (32) [m]. `heading` is the yaw that the fix tells [rad], or nothing: then the heading's term is
-  /// left out of Eqs. (27) and (31).
+  /// `shadow_weight` is the share of Eq. (31) in Eq. (33): 1/2 there, 0 for Eq. (47). `ring` is round the
+  /// fix, with r_hat, in Eq. (32). `heading` is the yaw that the fix tells [rad], or nothing: then the
+  /// heading's term is left out of Eqs. (27) and (31).
   GnssLikelihood(const GnssLikelihoodParameters& parameters, const GnssFix& fix, double shadow_weight,
-                 double ring_radius, const std::optional<double>& heading);
+                 const ShadowRing& ring, const std::optional<double>& heading);
 
   /// Adds the logarithm of its largest term at each pose to `log_weight`; `factor` becomes what all terms are
   /// to the largest, 1..4, whose logarithm few need; `shadow_share` the part, 0..1, that Eq. (31)
@@ -52,7 +58,7 @@ class GnssLikelihood {
 
  private:
   bool cross_;
-  double ring_radius_;
+  ShadowRing ring_;
   double shadow_weight_;
   FixSigmas sigma_;
   double sigma_p_;

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "estimators/nishida/bias_radius.hpp"
+#include "estimators/nishida/bias_filter.hpp"
 #include "estimators/nishida/fix_particle_filter.hpp"
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/pose.hpp"
@@ -43,7 +43,7 @@ inline double plain_log_likelihood(const FixParticleFilterParameters& parameters
 class PlainParticleFilter {
  public:
   PlainParticleFilter(const FixParticleFilterParameters& parameters, std::uint64_t seed)
-      : parameters_(parameters), bias_radius_(parameters.bias), generator_(seed) {}
+      : parameters_(parameters), bias_filter_(parameters.bias), generator_(seed) {}
 
   void start(const PosePrior& prior) {
     particles_.resize(static_cast<std::size_t>(parameters_.sampling.max_particles));
@@ -84,7 +84,7 @@ class PlainParticleFilter {
   void update(const GnssFix& fix) {
     const FixSigmas sigma = fix_sigmas(parameters_.likelihood, fix);
     const double radius =
-        bias_radius_.update(fix.position, predicted_.position(), sigma.shadow, now_ - last_fix_);
+        bias_filter_.update(fix.position, predicted_.position(), sigma, now_ - last_fix_).norm();
     last_fix_ = now_;
     sample_ring(radius, sigma);
     for (Particle& p : particles_) {
@@ -168,7 +168,7 @@ class PlainParticleFilter {
   }
 
   FixParticleFilterParameters parameters_;
-  BiasRadius bias_radius_;
+  BiasFilter bias_filter_;
   std::mt19937_64 generator_;
   std::normal_distribution<double> normal_;
   std::uniform_real_distribution<double> uniform_;

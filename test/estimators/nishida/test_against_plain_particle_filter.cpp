@@ -59,13 +59,14 @@ WeightsSeen compare_with_logarithms(FixParticleFilterParameters parameters) {
   parameters.ess_threshold = 0.0;
   FixParticleFilter filter(parameters, 1);
   filter.start(prior());
-  BiasRadius bias_radius(parameters.bias);
+  BiasFilter bias_filter(parameters.bias);
   std::vector<double> logs(kSize, 0.0);
   std::vector<double> weights(kSize);
   WeightsSeen seen;
   for (const GnssFix& fix : fixes_near_and_far()) {
     filter.predict({fix.stamp, 1.0, 0.0, 0.0});
-    const double radius = bias_radius.update(fix.position, filter.estimate().pose.position(), kSigma, 1.0);
+    const double radius =
+        bias_filter.update(fix.position, filter.estimate().pose.position(), {kSigma, kSigma}, 1.0).norm();
     EXPECT_TRUE(filter.update(fix).accepted());
     const std::vector<Hypothesis> particles = filter.hypotheses();
     for (std::size_t i = 0; i < kSize; ++i) {

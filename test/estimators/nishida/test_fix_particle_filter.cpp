@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -61,6 +62,29 @@ TEST(FixParticleFilter, RingPutsParticlesAtTheRadiusOfTheBias) {
     if (std::abs(radius - 4.0) < 1.5) ++on_ring;
   }
   EXPECT_NEAR(on_ring, 500, 60);
+}
+
+TEST(FixParticleFilter, RingSupposesOpenSky) {
+  NishidaParticleFilterParameters parameters;
+  parameters.bias.sky = Sky::kScatter;
+  parameters.bias.bias_motion = BiasMotion::kWalk;
+  parameters.ring.ring_fraction = 0.5;
+  parameters.ess_threshold = 0.0;
+  parameters.likelihood.sigma_s = 2.0;
+  WindingDrive drive(17);
+  FixParticleFilter filter(parameters, 17);
+  filter.start(prior_at(drive.truth));
+  drive.run(filter, 2.0);
+  EXPECT_LT(filter.estimate().shadow_probability, 0.01);
+  drive.run(filter, 1.0, {5.0, 5.0});
+  EXPECT_GT(filter.estimate().shadow_probability, 0.99);
+  EXPECT_GT(filter.estimate().bias.norm(), 2.5);
+  const auto particles = filter.hypotheses();
+  EXPECT_EQ(std::count_if(particles.begin(), particles.end(),
+                          [&](const Hypothesis& p) {
+                            return (p.pose.position() - drive.truth.position()).norm() > 2.0;
+                          }),
+            0);
 }
 
 TEST(FixParticleFilter, InnovationIsThatOfTheAntenna) {

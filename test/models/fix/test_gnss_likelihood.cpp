@@ -27,8 +27,7 @@ Value weighed(InstructionSet set, const Setting& setting, const GnssFix& fix, co
   x.fill(pose.x);
   y.fill(pose.y);
   yaw.fill(pose.yaw);
-  const GnssLikelihood likelihood(setting.parameters, fix, setting.shadow_weight, setting.ring_radius,
-                                  heading);
+  const GnssLikelihood likelihood(setting.parameters, fix, setting.shadow_weight, setting.ring, heading);
   likelihood.add_to(set, {x.data(), y.data(), yaw.data(), kBlockSize}, log_weight.data(), factor.data(),
                     share.data());
   return {log_weight[7] + std::log(factor[7]), share[7]};
@@ -38,7 +37,7 @@ Value weighed(InstructionSet set, const Setting& setting, const GnssFix& fix, co
 struct Likelihood {
   GnssLikelihoodParameters parameters;
   double shadow_weight;
-  double ring_radius;
+  ShadowRing ring;
 
   Value operator()(const Eigen::Vector2d& error, const std::optional<double>& heading_error) const {
     GnssFix fix;
@@ -53,6 +52,8 @@ struct Likelihood {
     return best;
   }
 };
+
+ShadowRing round_the_fix(double radius) { return {Eigen::Vector2d::Zero(), radius}; }
 
 GnssLikelihoodParameters printed() {
   GnssLikelihoodParameters parameters;
@@ -78,7 +79,7 @@ double printed_shadow(double dxy, double dtheta) {
 }
 
 TEST(GnssLikelihood, IsEquation33AsPrinted) {
-  const Likelihood likelihood{printed(), 0.5, 1.5};
+  const Likelihood likelihood{printed(), 0.5, round_the_fix(1.5)};
   for (const Eigen::Vector2d& error : {Eigen::Vector2d(0.01, -0.08), Eigen::Vector2d(1.1, 1.2)}) {
     for (const double dtheta : {0.0, 0.15}) {
       const double direct = 0.5 * printed_direct(error.x(), error.y(), dtheta);
@@ -91,7 +92,7 @@ TEST(GnssLikelihood, IsEquation33AsPrinted) {
 }
 
 TEST(GnssLikelihood, WithoutShadowIsEquation47) {
-  const Likelihood likelihood{printed(), 0.0, 1.5};
+  const Likelihood likelihood{printed(), 0.0, round_the_fix(1.5)};
   const auto value = likelihood({0.02, 0.03}, 0.05);
   EXPECT_NEAR(std::exp(value.log_likelihood) / printed_direct(0.02, 0.03, 0.05), 1.0, 1e-9);
   EXPECT_EQ(value.shadow_share, 0.0);
@@ -100,16 +101,16 @@ TEST(GnssLikelihood, WithoutShadowIsEquation47) {
 TEST(GnssLikelihood, ProductKernelDependsOnTheDistanceAlone) {
   GnssLikelihoodParameters parameters = printed();
   parameters.likelihood_kernel = LikelihoodKernel::kProduct;
-  const Likelihood product{parameters, 0.0, 0.0};
+  const Likelihood product{parameters, 0.0, {}};
   EXPECT_NEAR(product({0.1, 0.0}, {}).log_likelihood, product({0.06, 0.08}, {}).log_likelihood, 1e-12);
-  const Likelihood cross{printed(), 0.0, 0.0};
+  const Likelihood cross{printed(), 0.0, {}};
   EXPECT_GT(cross({0.1, 0.0}, {}).log_likelihood, cross({0.06, 0.08}, {}).log_likelihood + 0.3);
 }
 
 TEST(GnssLikelihood, TellsDistancesApartWhereItsValueUnderflows) {
   GnssLikelihoodParameters parameters = printed();
   parameters.likelihood_kernel = LikelihoodKernel::kProduct;
-  const Likelihood likelihood{parameters, 0.5, 0.0};
+  const Likelihood likelihood{parameters, 0.5, {}};
   const double near = likelihood({200.0, 0.0}, {}).log_likelihood;
   const double far = likelihood({201.0, 0.0}, {}).log_likelihood;
   EXPECT_LT(near, -1000.0);
@@ -118,7 +119,7 @@ TEST(GnssLikelihood, TellsDistancesApartWhereItsValueUnderflows) {
 }
 
 TEST(GnssLikelihood, RingIsWhereTheFixIsBiasedByItsRadius) {
-  const Likelihood likelihood{printed(), 0.5, 3.0};
+  const Likelihood likelihood{printed(), 0.5, round_the_fix(3.0)};
   const Eigen::Vector2d on_ring(1.8, 2.4);
   EXPECT_GT(likelihood(on_ring, {}).log_likelihood, likelihood(0.8 * on_ring, {}).log_likelihood);
   EXPECT_GT(likelihood(on_ring, {}).log_likelihood, likelihood(1.2 * on_ring, {}).log_likelihood);
@@ -126,10 +127,18 @@ TEST(GnssLikelihood, RingIsWhereTheFixIsBiasedByItsRadius) {
   EXPECT_LT(likelihood(Eigen::Vector2d::Zero(), {}).shadow_share, 0.01);
 }
 
+TEST(GnssLikelihood, RingWithoutRadiusIsWhereTheBiasComesFrom) {
+  const Likelihood likelihood{printed(), 0.5, {{3.0, -4.0}, 0.0}};
+  const double there = likelihood({-3.0, 4.0}, {}).log_likelihood;
+  for (const Eigen::Vector2d& elsewhere : {Eigen::Vector2d(3.0, -4.0), Eigen::Vector2d(-4.0, -3.0)}) {
+    EXPECT_GT(there, likelihood(elsewhere, {}).log_likelihood + 100.0);
+  }
+}
+
 TEST(GnssLikelihood, LeverArmIsTurnedWithTheRobot) {
   GnssFix fix;
   fix.antenna_in_base = {2.0, 0.5};
-  const Likelihood likelihood{printed(), 0.5, 1.5};
+  const Likelihood likelihood{printed(), 0.5, round_the_fix(1.5)};
   for (const InstructionSet set : {InstructionSet::kPlain, best_instruction_set()}) {
     const Pose2 pose{0.3, -0.2, 2.2};
     const auto value = weighed(set, likelihood, fix, pose, {});
@@ -145,10 +154,10 @@ TEST(GnssLikelihood, WorksOnTheParticlesOfTheBlockAloneAndAdds) {
   std::array<double, 3> log_weight = {-5.0, -6.0, -7.0};
   std::array<double, 3> factor = {8.0, 8.0, 8.0};
   std::array<float, 3> share = {9.0F, 9.0F, 9.0F};
-  const GnssLikelihood likelihood(printed(), GnssFix(), 0.5, 0.0, std::nullopt);
+  const GnssLikelihood likelihood(printed(), GnssFix(), 0.5, {}, std::nullopt);
   likelihood.add_to(best_instruction_set(), {x.data(), y.data(), yaw.data(), 2}, log_weight.data(),
                     factor.data(), share.data());
-  const Likelihood alone{printed(), 0.5, 0.0};
+  const Likelihood alone{printed(), 0.5, {}};
   EXPECT_NEAR(log_weight[0] + std::log(factor[0]), -5.0 + alone({0.0, 0.0}, {}).log_likelihood, 1e-9);
   EXPECT_NEAR(log_weight[1] + std::log(factor[1]), -6.0 + alone({1.0, 1.0}, {}).log_likelihood, 1e-9);
   EXPECT_EQ(log_weight[2], -7.0);
