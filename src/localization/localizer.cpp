@@ -9,8 +9,6 @@ namespace multipath_localization {
 namespace {
 
 constexpr std::size_t kMostWaiting = 1000;  ///< measurements ahead of odometry that has stopped
-constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fixes", "pairs of fixes",
-                                                                              "pseudoranges", "velocities"};
 
 /// "about 7 m more", or "on" where the way is not known.
 std::string way_on(double way) {
@@ -53,7 +51,7 @@ void Localizer::start(const std::optional<PosePrior>& prior) {
   receivers_.clear();
   standstill_ = {};
   waiting_.clear();
-  accepted_.fill(std::nullopt);
+  accepted_ = {};
   has_odometry_ = settled_ = false;
 }
 
@@ -113,10 +111,8 @@ void Localizer::apply(const Measurement& measurement) {
     auto* fix = std::get_if<GnssFix>(&*carried);
     report.innovation = fix == nullptr ? estimator_->update(*carried) : weigh(*fix, report);
   }
-  const bool tells_position = !std::holds_alternative<GnssVelocity>(measurement);
-  if (tells_position && (report.innovation.accepted() || report.innovation.reason == Reason::kRepeated)) {
-    std::optional<double>& last = accepted_[measurement.index()];
-    last = std::max(last.value_or(stamp), stamp);
+  if (report.innovation.accepted() || report.innovation.reason == Reason::kRepeated) {
+    accepted_.note(measurement);
   }
   reports_.push_back(report);
 }
@@ -162,7 +158,8 @@ Trust Localizer::state() const {
   if (!has_odometry_ || !estimate.valid) return Trust::kNotReady;
   if (!estimate.aligned || mirrored()) return Trust::kAligning;
   if (!position_known(estimate)) return settled_ ? Trust::kLost : Trust::kAligning;
-  if (now_ - last_accepted() > parameters_.dead_reckoning_after) return Trust::kDeadReckoning;
+  if (now_ - std::max(start_, accepted_.stamp()) > parameters_.dead_reckoning_after)
+    return Trust::kDeadReckoning;
   return estimate.shadow_probability > 0.5 ? Trust::kMultipath : Trust::kGood;
 }
 
@@ -170,28 +167,9 @@ bool Localizer::position_known(const PoseEstimate& estimate) const {
   return estimate.position_covariance_overall.trace() < parameters_.lost_sigma * parameters_.lost_sigma;
 }
 
-double Localizer::last_accepted() const {
-  return std::max(start_, std::max_element(accepted_.begin(), accepted_.end())->value_or(start_));
-}
-
-std::size_t Localizer::latest_kind() const {
-  return static_cast<std::size_t>(std::max_element(accepted_.begin(), accepted_.end()) - accepted_.begin());
-}
-
-std::string Localizer::basis() const { return kKinds[latest_kind()]; }
-
-std::string Localizer::missed() const {
-  std::string text;
-  for (std::size_t kind = latest_kind() + 1; kind < accepted_.size(); ++kind) {
-    const double age = now_ - accepted_[kind].value_or(now_);
-    if (age <= parameters_.dead_reckoning_after) continue;
-    text += std::string(", no ") + kKinds[kind] + " for " + std::to_string(std::lround(age)) + " s";
-  }
-  return text;
-}
-
 std::string Localizer::state_reason() const {
   const PoseEstimate estimate = estimator_->estimate();
+  const std::string missed = accepted_.missed(now_, parameters_.dead_reckoning_after);
   switch (state()) {
     case Trust::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
     case Trust::kAligning:
@@ -203,8 +181,8 @@ std::string Localizer::state_reason() const {
       }
       return "heading or position not yet confirmed, drive " + way_on(estimate.way_to_alignment) +
              " under open sky";
-    case Trust::kGood: return basis() + " agree with odometry" + missed();
-    case Trust::kMultipath: return basis() + " are biased, the bias is being tracked" + missed();
+    case Trust::kGood: return accepted_.kind() + " agree with odometry" + missed;
+    case Trust::kMultipath: return accepted_.kind() + " are biased, the bias is being tracked" + missed;
     case Trust::kDeadReckoning:
       return std::string(any_frozen() ? "receiver frozen" : "no usable fix") + ", running on odometry";
     case Trust::kLost: return "position too uncertain to drive by";

@@ -1,19 +1,18 @@
 #pragma once
 
-#include <array>
 #include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "multipath_localization/core/parameters.hpp"
 #include "multipath_localization/core/trust.hpp"
 #include "multipath_localization/estimators/estimator.hpp"
 #include "multipath_localization/localization/gyro_turn.hpp"
+#include "multipath_localization/localization/last_accepted.hpp"
 #include "multipath_localization/localization/receiver_record.hpp"
 #include "multipath_localization/localization/standstill.hpp"
 #include "multipath_localization/models/motion/odometry_history.hpp"
@@ -93,14 +92,6 @@ class Localizer {
   [[nodiscard]] bool any_frozen() const;
   /// Whether its standard deviation is below `lost_sigma`.
   [[nodiscard]] bool position_known(const PoseEstimate& estimate) const;
-  /// When a measurement of the position was accepted last, the start of odometry before the first [s].
-  [[nodiscard]] double last_accepted() const;
-  [[nodiscard]] std::size_t latest_kind() const;
-  /// What was accepted last: "fixes", "pairs of fixes", "pseudoranges".
-  [[nodiscard]] std::string basis() const;
-  /// ", no pseudoranges for 12 s": what says more than that, was accepted before and is missed; empty for
-  /// nothing.
-  [[nodiscard]] std::string missed() const;
 
   std::unique_ptr<Estimator> estimator_;
   LocalizerParameters parameters_;
@@ -115,7 +106,7 @@ class Localizer {
   bool has_odometry_ = false;
   bool settled_ = false;  ///< heading and position have been known since the start
   double start_ = 0.0;    ///< of odometry
-  std::array<std::optional<double>, std::variant_size_v<Measurement>> accepted_;  ///< last stamp, by kind
+  LastAccepted accepted_;
 };
 
 }  // namespace multipath_localization
