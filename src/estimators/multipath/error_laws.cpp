@@ -146,6 +146,10 @@ void wander_odometry(ErrorLaw& law, double duration, RandomStream& random) {
   }
 }
 
+double still_wrong(double age) {
+  return kHeldShare * std::exp(-age / std::sqrt(kShortestHeld * kLongestHeld));
+}
+
 bool held(RandomStream& random) { return random.uniform() < kHeldShare; }
 
 ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& random) {

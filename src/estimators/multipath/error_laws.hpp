@@ -58,6 +58,8 @@ struct ShadowLaw {
 /// [m]) up to `largest` [m].
 ShadowLaw draw_shadow_law(double open_sigma, double largest, RandomStream& random);
 
+/// Probability that a receiver that began anew `age` [s] ago began wrong and has not found out yet.
+double still_wrong(double age);
 /// Whether a receiver that begins anew within a shadow holds on to the error that it begins with.
 bool held(RandomStream& random);
 /// The bias moves no more, for minutes: of wrong ambiguities.

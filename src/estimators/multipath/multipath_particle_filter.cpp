@@ -119,6 +119,12 @@ struct MultipathParticleFilter::State {
     return !cloud.empty() && !velocities.empty() &&
            (velocities.age() >= kVelocityBlock || !alignment.aligned());
   }
+  /// Variance of what the receiver in least doubt may have begun wrong by, an axis [m^2].
+  [[nodiscard]] double least_doubt() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [number, receiver] : receivers) least = std::min(least, receiver.doubt(now));
+    return receivers.empty() ? 0.0 : least;
+  }
   /// A position is known as well as corrections make it, and for a while after they are gone.
   void note_corrections(const GnssFix& fix, double duration, double uncorrected_sigma) {
     const double variance = fix.status == FixStatus::kSingle ? square(uncorrected_sigma) : 0.0;
@@ -158,7 +164,8 @@ void MultipathParticleFilter::State::weigh(multipath::ReceiverWatch& receiver,
   const bool turns_by_gyro = odometry.turns_by_gyro();
   if (!velocities.empty()) weigh_velocities();
   flush();
-  multipath::Sighting sighting = receiver.take(now, cloud.mixture().mean(multipath::kYaw));
+  multipath::Sighting sighting = receiver.take(
+      now, cloud.mixture().mean(multipath::kYaw), mean_sigma(cloud.mixture().covariance.topLeftCorner<2, 2>()));
   sighting.turns_by_gyro = turns_by_gyro;
   sighting.between = sighting.duration - std::max(multipath::kShortestTime, now - last_weighed);
   sighting.after_gap = sighting.unseen() > multipath::kOutage;
@@ -275,7 +282,8 @@ PoseEstimate MultipathParticleFilter::estimate() const {
       rotation(result.pose.yaw).col(0) * parameters_.stamp_sigma * state_->speed;
   // The slow error may be one that stays for the whole drive, which nobody sees.
   result.covariance.topLeftCorner<2, 2>() +=
-      (square(parameters_.position_sigma_floor) + mixture.least_slow_variance() + state_->common_variance) *
+      (square(parameters_.position_sigma_floor) + mixture.least_slow_variance() + state_->common_variance +
+       state_->least_doubt()) *
           Eigen::Matrix2d::Identity() +
       between_stamps * between_stamps.transpose();
   result.position_covariance_overall = result.covariance.topLeftCorner<2, 2>();

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "estimators/multipath/error_laws.hpp"
 #include "multipath_localization/core/covariance.hpp"
+#include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 
@@ -12,6 +14,7 @@ namespace {
 constexpr double kBlock = 0.9;
 /// A receiver that fixes its ambiguities declares less than this from one fix to the next,
 constexpr double kFixed = 0.1;  // [m]
+constexpr double kMostWrong = 5.0;  ///< sigma of what it begins wrong by: ambiguities, one reflection [m]
 constexpr double kFloat = 0.3;  ///< and more than that before [m]
 
 }  // namespace
@@ -20,14 +23,21 @@ bool ReceiverWatch::due(double now) const { return now - weighed_ >= kBlock; }
 
 bool ReceiverWatch::overdue(double now) const { return !block_.empty() && now - added_ >= kBlock; }
 
-Sighting ReceiverWatch::take(double now, double yaw) {
+double ReceiverWatch::doubt(double now) const {
+  return still_wrong(now - reacquired_) * square(wrong_by_);
+}
+
+Sighting ReceiverWatch::take(double now, double yaw, double known) {
   Sighting sighting;
   fixes_in_block_ = static_cast<double>(block_.size());
   sighting.fix = block_.take(yaw);
   sighting.duration = std::max(kShortestTime, now - weighed_);
   const double declared = mean_sigma(sighting.fix.covariance);
   sighting.refixed = declared < kFixed && declared_ > kFloat;
-  if (sighting.duration > kOutage || sighting.refixed) reacquired_ = now;
+  if (sighting.duration > kOutage || sighting.refixed) {
+    reacquired_ = now;
+    wrong_by_ = std::min(known, kMostWrong);
+  }
   sighting.reacquired = now - reacquired_ < kSettling;
   declared_ = declared;
   weighed_ = now;

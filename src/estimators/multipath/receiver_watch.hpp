@@ -34,8 +34,10 @@ class ReceiverWatch {
   /// odometry instead of the first fixes after it.
   [[nodiscard]] bool overdue(double now) const;
   /// Its fixes as one, those that agree by a heading of `yaw` [rad], and what led up to it as far as it is
-  /// this receiver's.
-  Sighting take(double now, double yaw);
+  /// this receiver's; `known`: sigma of the position by then without it [m].
+  Sighting take(double now, double yaw, double known);
+  /// Variance of what the receiver may still be wrong by since it began anew, an axis [m^2].
+  [[nodiscard]] double doubt(double now) const;
   /// How many fixes the last one was: so much whiter is their mean than each.
   [[nodiscard]] double fixes_in_block() const { return fixes_in_block_; }
 
@@ -48,6 +50,7 @@ class ReceiverWatch {
   double added_ = 0.0;              ///< the last fix [s]
   double declared_ = 0.0;           ///< last [m]
   double reacquired_ = -kSettling;  ///< when it began anew [s]
+  double wrong_by_ = 0.0;           ///< sigma of what it may have begun wrong by [m]
   double fixes_in_block_ = 1.0;
 };
 
