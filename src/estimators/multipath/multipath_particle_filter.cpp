@@ -164,8 +164,8 @@ void MultipathParticleFilter::State::weigh(multipath::ReceiverWatch& receiver,
   const bool turns_by_gyro = odometry.turns_by_gyro();
   if (!velocities.empty()) weigh_velocities();
   flush();
-  multipath::Sighting sighting = receiver.take(
-      now, cloud.mixture().mean(multipath::kYaw), mean_sigma(cloud.mixture().covariance.topLeftCorner<2, 2>()));
+  multipath::Sighting sighting = receiver.take(now, cloud.mixture().mean(multipath::kYaw),
+                                               mean_sigma(cloud.mixture().covariance.topLeftCorner<2, 2>()));
   sighting.turns_by_gyro = turns_by_gyro;
   sighting.between = sighting.duration - std::max(multipath::kShortestTime, now - last_weighed);
   sighting.after_gap = sighting.unseen() > multipath::kOutage;

@@ -13,9 +13,9 @@ namespace {
 /// Fixes within this time are one, just below a receiver's second [s].
 constexpr double kBlock = 0.9;
 /// A receiver that fixes its ambiguities declares less than this from one fix to the next,
-constexpr double kFixed = 0.1;  // [m]
+constexpr double kFixed = 0.1;      // [m]
 constexpr double kMostWrong = 5.0;  ///< sigma of what it begins wrong by: ambiguities, one reflection [m]
-constexpr double kFloat = 0.3;  ///< and more than that before [m]
+constexpr double kFloat = 0.3;      ///< and more than that before [m]
 
 }  // namespace
 
@@ -23,9 +23,7 @@ bool ReceiverWatch::due(double now) const { return now - weighed_ >= kBlock; }
 
 bool ReceiverWatch::overdue(double now) const { return !block_.empty() && now - added_ >= kBlock; }
 
-double ReceiverWatch::doubt(double now) const {
-  return still_wrong(now - reacquired_) * square(wrong_by_);
-}
+double ReceiverWatch::doubt(double now) const { return still_wrong(now - reacquired_) * square(wrong_by_); }
 
 Sighting ReceiverWatch::take(double now, double yaw, double known) {
   Sighting sighting;

@@ -133,6 +133,28 @@ TEST(MultipathParticleFilter, DoesNotTakeForGrantedWhatFixesSayAfterAnOutage) {
   EXPECT_LE(captured, kSeeds / 3);
 }
 
+/// A receiver that fixes its ambiguities wrong after an outage agrees with the odometry to the centimetre.
+TEST(MultipathParticleFilter, IsNotSureToTheCentimetreOfTheFixesAfterAnOutage) {
+  const double sure_and_wrong = share_of_seeds(12, [](std::uint64_t seed) {
+    SimulatedDrive robot(seed);
+    robot.fix_sigma = 0.01;
+    robot.status = FixStatus::kGroundBased;
+    robot.bias = [](double t) -> Eigen::Vector2d {
+      if (t < 90.0) return Eigen::Vector2d::Zero();
+      return Eigen::Vector2d(0.8, -0.8) *
+             std::min(1.0, 0.5 + 0.1 * (t - 100.0));  // as its own filter settles
+    };
+    Localizer localizer = default_localizer(seed);
+    robot.run(localizer, 60.0);
+    robot.receiving = false;
+    robot.run(localizer, 40.0);
+    robot.receiving = true;
+    robot.run(localizer, 40.0);
+    return nees(localizer.estimate(), robot.truth) > 100.0;
+  });
+  EXPECT_LE(sure_and_wrong, 0.2);
+}
+
 /// Some fixes of a second wait for the others when an outage begins.
 TEST(MultipathParticleFilter, GoesByTheFixesAfterAnOutageNotByThoseBeforeIt) {
   constexpr int kSeeds = 16;

@@ -11,9 +11,9 @@ GnssFix fix_of(double sigma) {
   return fix;
 }
 
-Sighting sighting_of(ReceiverWatch& watch, double now, double sigma) {
+Sighting sighting_of(ReceiverWatch& watch, double now, double sigma, double known = 0.1) {
   watch.add(fix_of(sigma), now);
-  return watch.take(now, 0.0);
+  return watch.take(now, 0.0, known);
 }
 
 TEST(ReceiverWatch, WaitsForASecondOfFixes) {
@@ -21,7 +21,7 @@ TEST(ReceiverWatch, WaitsForASecondOfFixes) {
   EXPECT_FALSE(watch.due(10.8));
   EXPECT_TRUE(watch.due(11.0));
   for (int i = 0; i < 5; ++i) watch.add(fix_of(1.0), 10.2 + 0.2 * i);
-  EXPECT_EQ(watch.take(11.0, 0.0).duration, 1.0);
+  EXPECT_EQ(watch.take(11.0, 0.0, 0.1).duration, 1.0);
   EXPECT_EQ(watch.fixes_in_block(), 5.0);
   EXPECT_FALSE(watch.due(11.8));
 }
@@ -43,7 +43,7 @@ TEST(ReceiverWatch, DoesNotWaitForFixesThatDoNotCome) {
   watch.add(fix_of(1.0), 5.0);
   EXPECT_FALSE(watch.overdue(5.8));
   EXPECT_TRUE(watch.overdue(6.0));
-  watch.take(6.0, 0.0);
+  watch.take(6.0, 0.0, 0.1);
   EXPECT_FALSE(watch.overdue(60.0));
 }
 
@@ -51,6 +51,18 @@ TEST(ReceiverWatch, TellsThatAReceiverHasBeenAway) {
   ReceiverWatch watch(0.0);
   EXPECT_FALSE(sighting_of(watch, 1.0, 1.0).reacquired);
   EXPECT_TRUE(sighting_of(watch, 20.0, 1.0).reacquired);
+}
+
+TEST(ReceiverWatch, DoubtsAReceiverThatBeginsAnewByNoMoreThanWasKnownWithoutIt) {
+  ReceiverWatch watch(0.0);
+  sighting_of(watch, 1.0, 0.02, 3.0);
+  EXPECT_EQ(watch.doubt(1.0), 0.0) << "nothing has interrupted it";
+  sighting_of(watch, 31.0, 0.02, 2.0);
+  EXPECT_NEAR(watch.doubt(31.0), 0.3 * 4.0, 1e-9) << "three in ten begin wrong";
+  EXPECT_LT(watch.doubt(250.0), 0.4 * watch.doubt(31.0));
+  EXPECT_GT(watch.doubt(91.0), 0.6 * watch.doubt(31.0));
+  sighting_of(watch, 300.0, 0.02, 1000.0);
+  EXPECT_LT(watch.doubt(300.0), 10.0) << "it is off by some metres then, not by the width of a town";
 }
 
 TEST(ReceiverWatch, KnowsAReceiverThatRepeatsItself) {
