@@ -3,12 +3,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "estimators/multipath/alignment_monitor.hpp"
 #include "estimators/multipath/hypothesis_cloud.hpp"
 #include "estimators/multipath/prediction.hpp"
-#include "estimators/multipath/receiver_watch.hpp"
+#include "estimators/multipath/receiver_watches.hpp"
 #include "estimators/multipath/rival.hpp"
 #include "estimators/multipath/velocity_block.hpp"
 #include "estimators/multipath/wheel_watch.hpp"
@@ -64,11 +63,8 @@ struct MultipathParticleFilter::State {
   /// Takes the fixes that wait along to where the base is now.
   void carry_blocks() {
     const Pose2 step = inverse(blocks_moved) * moved();
-    for (auto& [number, receiver] : receivers) receiver.move(step);
+    receivers.move(step);
     blocks_moved = moved();
-  }
-  multipath::ReceiverWatch& receiver(std::size_t number) {
-    return receivers.try_emplace(number, last_weighed).first->second;
   }
   /// Spreads the hypotheses about a fix.
   void start(const GnssFix& fix, double uncorrected_sigma) {
@@ -76,7 +72,7 @@ struct MultipathParticleFilter::State {
     velocities.start(fix.antenna_in_base);
     note_corrections(fix, kCorrectedMemory, uncorrected_sigma);
     last_weighed = now;
-    for (auto& [number, receiver] : receivers) receiver.begin(now);
+    receivers.begin(now);
     restart_odometry();
     if (velocities_due()) weigh_velocities();
   }
@@ -119,12 +115,6 @@ struct MultipathParticleFilter::State {
     return !cloud.empty() && !velocities.empty() &&
            (velocities.age() >= kVelocityBlock || !alignment.aligned());
   }
-  /// Variance of what the receiver in least doubt may have begun wrong by, an axis [m^2].
-  [[nodiscard]] double least_doubt() const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& [number, receiver] : receivers) least = std::min(least, receiver.doubt(now));
-    return receivers.empty() ? 0.0 : least;
-  }
   /// A position is known as well as corrections make it, and for a while after they are gone.
   void note_corrections(const GnssFix& fix, double duration, double uncorrected_sigma) {
     const double variance = fix.status == FixStatus::kSingle ? square(uncorrected_sigma) : 0.0;
@@ -134,8 +124,8 @@ struct MultipathParticleFilter::State {
   multipath::HypothesisCloud cloud;
   multipath::Rival rival;
   multipath::AlignmentMonitor alignment;
-  multipath::OdometrySum odometry;                            ///< since the hypotheses were last moved
-  std::map<std::size_t, multipath::ReceiverWatch> receivers;  ///< by GnssFix::receiver
+  multipath::OdometrySum odometry;  ///< since the hypotheses were last moved
+  multipath::ReceiverWatches receivers;
   multipath::VelocityBlock velocities;
   bool velocities_weighed = false;  ///< since the start
   Pose2 blocks_moved;               ///< the part of `moved` that the fixes have been taken along
@@ -234,8 +224,8 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   if (state_->cloud.empty()) return;
   state_->odometry.add(u);
   state_->wheels.add(u);
-  for (auto& [number, receiver] : state_->receivers) {
-    if (receiver.overdue(u.stamp)) state_->weigh(receiver, parameters_);
+  while (multipath::ReceiverWatch* const late = state_->receivers.overdue(u.stamp)) {
+    state_->weigh(*late, parameters_);
   }
   if (state_->odometry.duration() <= kLongestSum) return;
   state_->doubt_wheels();
@@ -246,7 +236,7 @@ Innovation MultipathParticleFilter::update(const Measurement& z) {
   if (const auto* velocity = std::get_if<GnssVelocity>(&z)) return state_->take(*velocity);
   const auto* declared = std::get_if<GnssFix>(&z);
   if (declared == nullptr) return refused(Reason::kUnused);
-  multipath::ReceiverWatch& receiver = state_->receiver(declared->receiver);
+  multipath::ReceiverWatch& receiver = state_->receivers.of(declared->receiver, state_->last_weighed);
   if (const auto reason = receiver.defect(*declared)) return refused(*reason);
   const GnssFix fix = with_proper_covariance(*declared);
   Innovation result;
@@ -283,7 +273,7 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   // The slow error may be one that stays for the whole drive, which nobody sees.
   result.covariance.topLeftCorner<2, 2>() +=
       (square(parameters_.position_sigma_floor) + mixture.least_slow_variance() + state_->common_variance +
-       state_->least_doubt()) *
+       state_->receivers.least_doubt(state_->now)) *
           Eigen::Matrix2d::Identity() +
       between_stamps * between_stamps.transpose();
   result.position_covariance_overall = result.covariance.topLeftCorner<2, 2>();
