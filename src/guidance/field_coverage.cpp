@@ -228,7 +228,7 @@ std::vector<Choice> CoveragePlanner::choices() const {
   const double round = outermost_.length();
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (tracks_[i].driven) continue;
-    for (const std::size_t end : {0, 1}) {
+    for (std::size_t end = 0; end < 2; ++end) {
       const double on = outermost_.within_round(tracks_[i].stations[end] - station_);
       choices.push_back({i, end, station_, station_ + on});
       if (!heads_on_) choices.push_back({i, end, station_, station_ + on - round});
