@@ -52,7 +52,8 @@ void Localizer::start(const std::optional<PosePrior>& prior) {
   standstill_ = {};
   waiting_.clear();
   accepted_ = {};
-  has_odometry_ = settled_ = false;
+  has_odometry_ = false;
+  settled_ = prior && prior->confirmed;
 }
 
 void Localizer::tune(ParameterVisitor& field) {

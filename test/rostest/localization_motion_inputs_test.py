@@ -98,7 +98,7 @@ class LocalizationMotionInputs(unittest.TestCase):
         robot = Robot(seed=5)
         self.session.begin(robot)
         way = 0.0
-        while self.session.states[-1].state in (LocalizationState.NOT_READY, LocalizationState.ALIGNING):
+        while self.session.states[-1].state == LocalizationState.NOT_READY or self.session.states[-1].yaw_sigma > 0.2:
             self.assertLess(way, 6.0, 'metres of driving')
             self.drive(robot, 0.2, velocities=True)
             way += 0.2 * robot.speed

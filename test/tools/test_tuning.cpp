@@ -45,12 +45,14 @@ TEST(Tuning, PicksTheOpenSkyOfAStreet) {
 
 TEST(Tuning, ClaimsNoDelayWhereAnAntennaElsewhereExplainsItAsWell) {
   int claims = 0;  // of intervals of 95 %, which may well miss zero for once
+  int written = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const Tuning tuning = tune(street(seed));  // fixes are late, their stamps are right
     claims += tuning.fit.delay.low > 0.0 || tuning.fit.delay.high < 0.0 ? 1 : 0;
-    EXPECT_EQ(gnss_parameters(to_yaml(tuning)).delay, 0.0) << "seed " << seed;
+    written += gnss_parameters(to_yaml(tuning)).delay != 0.0 ? 1 : 0;
   }
   EXPECT_LE(claims, 1);
+  EXPECT_LE(written, claims) << "what is not told is not written";
 }
 
 TEST(Tuning, WritesADelayThatIsOne) {

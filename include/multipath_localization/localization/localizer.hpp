@@ -104,7 +104,7 @@ class Localizer {
   double now_ = 0.0;
   double driven_ = 0.0;  ///< way since the start [m]
   bool has_odometry_ = false;
-  bool settled_ = false;  ///< heading and position have been known since the start
+  bool settled_ = false;  ///< heading and position have been known
   double start_ = 0.0;    ///< of odometry
   LastAccepted accepted_;
 };
