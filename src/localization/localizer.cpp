@@ -83,8 +83,9 @@ void Localizer::add(const OdometryIncrement& reported) {
     apply(measurement);
   }
   advance(increment.stamp);
+  if (settled_) return;
   const PoseEstimate estimate = estimator_->estimate();
-  settled_ = settled_ || (estimate.valid && estimate.aligned && position_known(estimate));
+  settled_ = estimate.valid && estimate.aligned && position_known(estimate);
 }
 
 void Localizer::add(const Measurement& measurement) {

@@ -56,6 +56,15 @@ class SimulatedDrive {
     }
   }
 
+  /// The same with fixes for `before`, without any for `outage` and with them for `after` [s].
+  void run_through_outage(Localizer& localizer, double before, double outage, double after) {
+    run(localizer, before);
+    receiving = false;
+    run(localizer, outage);
+    receiving = true;
+    run(localizer, after);
+  }
+
   /// What the receiver says now.
   [[nodiscard]] GnssFix fix() const {
     RandomStream random(seed_, step_, 2);

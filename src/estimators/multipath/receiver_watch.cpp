@@ -13,9 +13,10 @@ namespace {
 /// Fixes within this time are one, just below a receiver's second [s].
 constexpr double kBlock = 0.9;
 /// A receiver that fixes its ambiguities declares less than this from one fix to the next,
-constexpr double kFixed = 0.1;      // [m]
-constexpr double kMostWrong = 5.0;  ///< sigma of what it begins wrong by: ambiguities, one reflection [m]
-constexpr double kFloat = 0.3;      ///< and more than that before [m]
+constexpr double kFixed = 0.1;  // [m]
+constexpr double kFloat = 0.3;  ///< and more than that before [m]
+/// Sigma of what a receiver begins anew wrong by, at most: ambiguities, one reflection [m].
+constexpr double kMostWrong = 5.0;
 
 }  // namespace
 

@@ -123,11 +123,7 @@ TEST(MultipathParticleFilter, DoesNotTakeForGrantedWhatFixesSayAfterAnOutage) {
     robot.status = FixStatus::kGroundBased;
     robot.bias = [](double t) { return t > 90.0 ? Eigen::Vector2d(5.66, 5.66) : Eigen::Vector2d(0.0, 0.0); };
     Localizer localizer = default_localizer(seed);
-    robot.run(localizer, 60.0);
-    robot.receiving = false;
-    robot.run(localizer, 40.0);
-    robot.receiving = true;
-    robot.run(localizer, 50.0);
+    robot.run_through_outage(localizer, 60.0, 40.0, 50.0);
     captured += nees(localizer.estimate(), robot.truth) > 12.0 ? 1 : 0;
   }
   EXPECT_LE(captured, kSeeds / 3);
@@ -145,11 +141,7 @@ TEST(MultipathParticleFilter, IsNotSureToTheCentimetreOfTheFixesAfterAnOutage) {
              std::min(1.0, 0.5 + 0.1 * (t - 100.0));  // as its own filter settles
     };
     Localizer localizer = default_localizer(seed);
-    robot.run(localizer, 60.0);
-    robot.receiving = false;
-    robot.run(localizer, 40.0);
-    robot.receiving = true;
-    robot.run(localizer, 40.0);
+    robot.run_through_outage(localizer, 60.0, 40.0, 40.0);
     return nees(localizer.estimate(), robot.truth) > 100.0;
   });
   EXPECT_LE(sure_and_wrong, 0.2);
@@ -166,11 +158,7 @@ TEST(MultipathParticleFilter, GoesByTheFixesAfterAnOutageNotByThoseBeforeIt) {
     robot.fix_sigma = 0.02;
     robot.status = FixStatus::kGroundBased;
     Localizer localizer = default_localizer(seed);
-    robot.run(localizer, 60.4);
-    robot.receiving = false;
-    robot.run(localizer, 60.0);
-    robot.receiving = true;
-    robot.run(localizer, 3.0);
+    robot.run_through_outage(localizer, 60.4, 60.0, 3.0);
     found += position_error(localizer.estimate(), robot.truth).norm() < 0.5 ? 1 : 0;
   }
   EXPECT_GE(found, kSeeds / 2);
