@@ -1,14 +1,18 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
+#include <sensor_msgs/JointState.h>
 #include <sensor_msgs/NavSatFix.h>
 
 #include "byte_stream.hpp"
+#include "models/motion/wheel_odometer.hpp"
 #include "multipath_localization/estimators/make_estimator.hpp"
 #include "multipath_localization/localization/localizer.hpp"
 #include "oracle.hpp"
 #include "ros/inputs/odometry_reader.hpp"
 #include "ros/messages/conversions.hpp"
 #include "ros/messages/epoch_conversions.hpp"
+#include "ros/wheel_odometry_node/ackermann_message.hpp"
+#include "ros/wheel_odometry_node/wheel_joints.hpp"
 #include "targets.hpp"
 
 namespace multipath_localization::fuzz {
@@ -25,11 +29,13 @@ class Node {
 
   void run() {
     while (!in_.empty()) {
-      switch (in_.take<std::uint8_t>() % 5) {
+      switch (in_.take<std::uint8_t>() % 7) {
         case 0: take_fix(); break;
         case 1: take_pair(); break;
         case 2: take_epoch(); break;
         case 3: take_odometry(); break;
+        case 5: take_joints(); break;
+        case 6: take_drive(); break;
         default: take_pose(); break;
       }
       check_estimate();
@@ -92,6 +98,24 @@ class Node {
     localizer_.add(u);
   }
 
+  void take_joints() {
+    const auto message = in_.take<sensor_msgs::JointState>();
+    check(wheels_.take(message.header.stamp.toSec(), read_joints(message, {{"a"}, {"b"}, {}}).readings));
+  }
+
+  void take_drive() {
+    const auto message = in_.take<AckermannDriveStamped>();
+    check(drive_.take(message.header.stamp.toSec(), DriveReading{message.speed, message.steering_angle}));
+  }
+
+  static void check(const WheelMotion& told) {
+    if (!told.motion) return;
+    require(told.reason == Reason::kAccepted, "motion that is refused");
+    require(std::abs(told.motion->speed) <= WheelLimits{}.max_speed, "wheels too fast");
+    require(std::abs(told.motion->yaw_rate) <= WheelLimits{}.max_yaw_rate, "wheels turn too fast");
+    require(told.motion->duration > 0.0, "no time of wheels");
+  }
+
   void take_pose() {
     const auto prior = to_prior(in_.take<geometry_msgs::PoseWithCovarianceStamped>());
     if (!prior) return;
@@ -127,6 +151,7 @@ class Node {
   ByteStream in_;
   LocalFrame map_{Geodetic{52.5, 13.4, 40.0}};
   OdometryReader odometry_{OdometryParameters{}, "map"};
+  WheelOdometer wheels_{{0.1, 0.5, 0.0, 0.0}, {}}, drive_{{0.0, 0.0, 1.2, 0.0}, {}};
   Localizer localizer_;
 };
 

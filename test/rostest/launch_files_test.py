@@ -48,6 +48,16 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(raw['/gnss_receiver/stamps'], 'receiver')
         self.assertEqual(raw['/localization/estimator'], 'pseudorange_mixture_filter')
 
+    def test_the_odometry_of_wheels_is_one_argument_away(self):
+        plain = launched('robot.launch')
+        self.assertNotIn('/wheel_odometry/track', plain)
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml', delete=False) as file:
+            file.write('{track: 0.5}')
+        self.addCleanup(os.remove, file.name)
+        wheels = launched('robot.launch', 'wheels:=' + file.name)
+        self.assertEqual(wheels['/wheel_odometry/track'], 0.5)
+        self.assertIs(wheels['/localization/publish_odom_tf'], True)
+
     def test_the_odometry_of_a_bag(self):
         set_there = launched('bag.launch', 'bag:=none.bag', 'odom_frame:=wheels')
         self.assertEqual(set_there['/localization/odom_frame'], 'wheels')

@@ -38,6 +38,16 @@ TEST(CheckTopics, SayWhenATopicIsOfAnotherTypeOrNotThere) {
   EXPECT_TRUE(ToFix(check_topics(seen), "no message on /odom", "--odom-topic"));
 }
 
+TEST(CheckTopics, KnowOfWhatOdometryCouldBeMade) {
+  Observations seen = healthy_robot();
+  seen.odometry.clear();
+  seen.types = {{"gps/fix", "sensor_msgs/NavSatFix"}, {"joint_states", "sensor_msgs/JointState"}};
+  EXPECT_TRUE(
+      ToFix(check_topics(seen), "no message on /odom", "/joint_states become odometry: robot.launch"));
+  seen.types["car/drive"] = "ackermann_msgs/AckermannDriveStamped";
+  EXPECT_TRUE(ToFix(check_topics(seen), "no message on /odom", "/car/drive become odometry: robot.launch"));
+}
+
 TEST(CheckTopics, TellAnotherVersionFromAMissingTopic) {
   Observations seen = healthy_robot();
   seen.odometry.clear();

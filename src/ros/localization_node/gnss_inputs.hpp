@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ros/inputs/fix_pairing.hpp"
-#include "ros/localization_node/input_monitor.hpp"
+#include "ros/inputs/input_monitor.hpp"
 #include "ros/messages/gnss_message.hpp"
 
 namespace multipath_localization {

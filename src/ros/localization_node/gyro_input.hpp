@@ -7,7 +7,7 @@
 #include <string>
 
 #include "multipath_localization/localization/gyro_turn.hpp"
-#include "ros/localization_node/input_monitor.hpp"
+#include "ros/inputs/input_monitor.hpp"
 #include "ros/messages/imu_conversions.hpp"
 
 namespace multipath_localization {

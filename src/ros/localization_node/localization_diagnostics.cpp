@@ -14,14 +14,6 @@ using diagnostic_msgs::DiagnosticStatus;
 constexpr double kLongSilence = 2.0;     ///< [s]
 constexpr std::size_t kMostFrames = 10;  ///< unknown to tf, that are told
 
-void summarise_input(diagnostic_updater::DiagnosticStatusWrapper& status, const InputMonitor& input) {
-  const InputMonitor::Standing standing = input.standing();
-  status.summary(standing.sound ? DiagnosticStatus::OK : DiagnosticStatus::WARN, standing.sentence);
-  for (const auto& [reason, number] : input.tally().counts()) {
-    status.add(std::string(to_string(reason)), number);
-  }
-}
-
 void tell(const FixReport& last, diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (last.sequence == 0) return;
   status.add("last reason", last.reason);
@@ -89,7 +81,7 @@ bool LocalizationDiagnostics::set_antenna_frame(const std::string& frame, bool k
 
 void LocalizationDiagnostics::report_gnss(Status& status, const GnssInput& input) {
   const InputMonitor& monitor = input.monitor;
-  summarise_input(status, monitor);
+  summarise(status, monitor);
   const std::optional<FrozenReceiver> frozen = localizer_.frozen(input.receiver);
   if (input.kind == kFixKind && frozen && !monitor.silent(kLongSilence)) {
     status.summaryf(DiagnosticStatus::ERROR,
@@ -110,7 +102,7 @@ void LocalizationDiagnostics::report_gnss(Status& status, const GnssInput& input
 }
 
 void LocalizationDiagnostics::report_odometry(Status& status) {
-  summarise_input(status, inputs_.odometry);
+  summarise(status, inputs_.odometry);
   if (localizer_.mirrored()) {
     status.summary(
         DiagnosticStatus::ERROR,
@@ -120,7 +112,7 @@ void LocalizationDiagnostics::report_odometry(Status& status) {
 
 void LocalizationDiagnostics::report_gyro(Status& status) {
   const InputMonitor::Standing standing = inputs_.gyro.standing(localizer_.gyro());
-  summarise_input(status, inputs_.gyro.monitor());
+  summarise(status, inputs_.gyro.monitor());
   status.summary(standing.sound ? DiagnosticStatus::OK : DiagnosticStatus::WARN, standing.sentence);
 }
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <string>
 
+#include "ros/inputs/input_monitor.hpp"
 #include "ros/inputs/odometry_reader.hpp"
 #include "ros/localization_node/backlog.hpp"
-#include "ros/localization_node/input_monitor.hpp"
 
 namespace multipath_localization {
 

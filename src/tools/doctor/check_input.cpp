@@ -63,6 +63,16 @@ Finding of_another_version(const std::string& topic, const std::string& type) {
       "migrated: rosbag fix");
 }
 
+/// A topic of which wheel_odometry_node may make odometry; empty where there is none.
+std::string topic_of_wheels(const Observations& seen) {
+  for (const char* type : {"ackermann_msgs/AckermannDriveStamped", "sensor_msgs/JointState"}) {
+    for (const auto& [topic, its_type] : seen.types) {
+      if (its_type == type) return topic;
+    }
+  }
+  return "";
+}
+
 Finding topic_of(const Observations& seen, const Input& in) {
   if (seen.other_versions.count(in.found) > 0) return of_another_version(in.found, in.type);
   if (in.found == in.topic && !in.stamps.empty()) {
@@ -76,8 +86,13 @@ Finding topic_of(const Observations& seen, const Input& in) {
   if (in.found != in.topic) {
     return fix("nothing on /" + in.topic + ", but " + in.type + " on /" + in.found, launch_with(seen, in));
   }
+  const std::string wheels = in.argument == "odom" ? topic_of_wheels(seen) : "";
   return fix("no message on /" + in.topic + " (" + in.type + ")",
-             "start the driver, or name the topic: --" + in.argument + "-topic TOPIC");
+             "start the driver, or name the topic: --" + in.argument + "-topic TOPIC" +
+                 (wheels.empty() ? ""
+                                 : "; or have /" + wheels +
+                                       " become odometry: robot.launch wheels:=FILE, a copy of "
+                                       "config/wheel_odometry.yaml"));
 }
 
 /// Messages a second and the longest silence [s]. Silences that stand out do not lower the rate.

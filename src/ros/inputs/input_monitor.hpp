@@ -1,5 +1,6 @@
 #pragma once
 
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
 #include <ros/subscriber.h>
 #include <ros/time.h>
 
@@ -71,5 +72,8 @@ class InputMonitor {
   ros::WallTime complained_;
   Reason complained_of_ = Reason::kAccepted;
 };
+
+/// Its sentence as the summary of a status on /diagnostics, and a counter for each reason.
+void summarise(diagnostic_updater::DiagnosticStatusWrapper& status, const InputMonitor& input);
 
 }  // namespace multipath_localization

@@ -1,4 +1,4 @@
-#include "ros/localization_node/input_monitor.hpp"
+#include "ros/inputs/input_monitor.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -85,6 +85,15 @@ std::string InputMonitor::described() const {
     separator = ", ";
   }
   return text;
+}
+
+void summarise(diagnostic_updater::DiagnosticStatusWrapper& status, const InputMonitor& input) {
+  using diagnostic_msgs::DiagnosticStatus;
+  const InputMonitor::Standing standing = input.standing();
+  status.summary(standing.sound ? DiagnosticStatus::OK : DiagnosticStatus::WARN, standing.sentence);
+  for (const auto& [reason, number] : input.tally().counts()) {
+    status.add(std::string(to_string(reason)), number);
+  }
 }
 
 }  // namespace multipath_localization

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ros/localization_node/input_monitor.hpp"
+#include "ros/inputs/input_monitor.hpp"
 
 namespace multipath_localization {
 namespace {
