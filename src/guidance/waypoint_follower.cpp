@@ -45,7 +45,7 @@ double loop_extent(const WaypointFollowerParameters& p) {
 
 /// `missed_by`: how far from the last waypoint [m].
 FollowerOutput finished_by(const WaypointFollowerParameters& p, const Route& route, double missed_by) {
-  if (missed_by > kBeside && p.law != "nishida") {
+  if (missed_by > kBeside && !p.as_nishida()) {
     return {{}, "finished " + fixed_text(missed_by, 1) + " m from the last waypoint: too near to turn to"};
   }
   if (!p.loop || route.tasks().once) return {{}, "finished"};
@@ -176,7 +176,7 @@ void WaypointFollower::lay_path(std::vector<Eigen::Vector2d> behind, const Eigen
     behind.push_back(route_.waypoint(ahead));
     stops = route_.stops(ahead++) || (!loops() && ahead == most);
   }
-  const bool stop_at_end = stops && parameters_.law != "nishida";
+  const bool stop_at_end = stops && !parameters_.as_nishida();
   const PassingRule rule{parameters_.switch_radius, parameters_.crossing_width, stop_at_end,
                          parameters_.tightest_curvature(), parameters_.limits.differential()};
   PathProgress progress(std::move(behind), first, rule, position, curvatures_of(route_, first, ahead));
@@ -220,7 +220,7 @@ FollowerOutput WaypointFollower::turn(const Pose2& pose) {
 
 FollowerOutput WaypointFollower::steer(const Pose2& pose, const Pace& pace) {
   const double speed = pace.ratio * parameters_.cruise_speed;
-  if (parameters_.law == "nishida") {  // at one speed: Eq. (37) of [NIS]
+  if (parameters_.as_nishida()) {  // at one speed: Eq. (37) of [NIS]
     const double most = parameters_.largest_steering_angle();
     const double angle = steer_to(route_.waypoint(0), pose, parameters_.k_phi);
     return {{speed, std::clamp(angle, -most, most)}, pace.status};

@@ -34,6 +34,8 @@ struct WaypointFollowerParameters {
   /// before the key.
   static void refuse_former(const YAML::Node& source, const std::string& path = "");
 
+  /// Whether `law` is that of [NIS], as it is printed.
+  [[nodiscard]] bool as_nishida() const { return law == "nishida"; }
   /// That the base can drive [1/m]; a differential one turns on the spot where it is to turn tighter.
   [[nodiscard]] double tightest_curvature() const;
   /// For which a differential base turns as far as `max_steering_angle` does for another [rad].

@@ -8,9 +8,11 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kSettledYawSigma = 0.3;  // [rad]
-constexpr double kUnsettle = 0.8;         // mass of the cluster that ends an alignment
-constexpr double kAgreementTime = 4.0;    // single epochs do not make a doubt [s]
+constexpr double kSettledMass = 0.95;      // of the cluster, that aligns
+constexpr double kSettledDistance = 20.0;  // over which it holds that: a wrong heading shows on it [m]
+constexpr double kSettledYawSigma = 0.3;   // [rad]
+constexpr double kUnsettle = 0.8;          // mass of the cluster that ends an alignment
+constexpr double kAgreementTime = 4.0;     // single epochs do not make a doubt [s]
 
 }  // namespace
 
@@ -25,10 +27,10 @@ void MixtureAlignment::compare(double found, double expected, double duration) {
 }
 
 void MixtureAlignment::update(double mass, double yaw_variance, double moved) {
-  const bool settled = !in_doubt() && mass >= bounds_.probability && yaw_variance < square(kSettledYawSigma);
+  const bool settled = !in_doubt() && mass >= kSettledMass && yaw_variance < square(kSettledYawSigma);
   settled_over_ = settled ? settled_over_ + moved : 0.0;
   if (mass < kUnsettle || in_doubt()) aligned_ = false;
-  if (settled && settled_over_ >= bounds_.distance) aligned_ = true;
+  if (settled && settled_over_ >= kSettledDistance) aligned_ = true;
 }
 
 }  // namespace multipath_localization

@@ -8,13 +8,6 @@ namespace multipath_localization {
 /// satellites seem to be in line of sight as their signals promise.
 class MixtureAlignment {
  public:
-  struct Bounds {
-    double probability;      ///< of the cluster, that aligns
-    double distance;         ///< over which it has to hold that [m]
-    double least_agreement;  ///< satellites found in line of sight over those expected
-  };
-  explicit MixtureAlignment(const Bounds& bounds) : bounds_(bounds) {}
-
   /// Starts anew, at a prior with that variance of the yaw [rad^2] or from nothing.
   void restart(const std::optional<double>& yaw_variance);
 
@@ -26,10 +19,11 @@ class MixtureAlignment {
 
   [[nodiscard]] bool aligned() const { return aligned_; }
   /// Whether far fewer satellites seem to be in line of sight than their signals promise.
-  [[nodiscard]] bool in_doubt() const { return agreement_ < bounds_.least_agreement; }
+  [[nodiscard]] bool in_doubt() const { return agreement_ < kLeastAgreement; }
 
  private:
-  Bounds bounds_;
+  static constexpr double kLeastAgreement = 0.4;  ///< C/N0 and elevation promise more than there are by half
+
   double settled_over_ = 0.0;  ///< distance with one cluster left [m]
   double agreement_ = 1.0;     ///< found over expected, of some seconds
   bool aligned_ = false;

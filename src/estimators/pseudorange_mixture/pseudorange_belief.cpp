@@ -11,6 +11,7 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kStoppingTime = 0.2;      // of a slip once the wheels stand [s]
+constexpr double kOffsetWalk = 0.01;       // between the clocks of two constellations, alike [m/sqrt(s)]
 constexpr double kZenithDelayWalk = 0.01;  // of the ionosphere: a metre in three hours [m/sqrt(s)]
 
 /// P - r r' of n x n, column by column.
@@ -31,7 +32,6 @@ void ReceiverStateNoise::fields(ParameterVisitor& field) {
   field("drift_walk", drift_walk, {0.0, 10.0}, "m/s/sqrt(s)", "random walk of the receiver clock's drift");
   field("offset_sigma", offset_sigma, {0.1, 1e4}, "m",
         "1 sigma of the unknown offset between the clocks of two constellations");
-  field("offset_walk", offset_walk, {0.0, 10.0}, "m/sqrt(s)", "random walk of that offset");
   field("bias_sigma", bias_sigma, {0.1, 100.0}, "m",
         "1 sigma of a satellite's own bias in line of sight: orbit, atmosphere, GLONASS frequency");
   field("bias_time", bias_time, {1.0, 1e5}, "s", "correlation time of that bias");
@@ -126,7 +126,7 @@ void PseudorangeBelief::change_slots(double dt, const ReceiverStateNoise& noise,
   for (int slot = 0; slot < slots.size(); ++slot) {
     const int i = state_of(slot);
     P(i, i) += slots.owner(slot).satellite ? square(noise.bias_sigma) * (1.0 - kept * kept)
-                                           : square(noise.offset_walk) * dt;
+                                           : square(kOffsetWalk) * dt;
   }
 }
 

@@ -18,7 +18,6 @@ struct ReceiverStateNoise {
   double clock_walk = 0.2;
   double drift_walk = 0.03;
   double offset_sigma = 15.0;
-  double offset_walk = 0.01;
   double bias_sigma = 4.5;
   double bias_time = 1000.0;
 

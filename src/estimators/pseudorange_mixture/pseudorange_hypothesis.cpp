@@ -100,7 +100,7 @@ void PseudorangeHypothesis::interact(const MotionLaws::Matrix& transitions) {
 void PseudorangeHypothesis::update(const SlottedEpoch& epoch, const MotionLaws& laws,
                                    const RangeErrorParameters& errors) {
   interact(laws.transitions(epoch.duration));
-  const double of_rates = std::min(1.0, epoch.duration / errors.range_rate_correlation_time);
+  const double of_rates = std::min(1.0, epoch.duration / kRangeRateTime);
   const double of_ranges = std::min(1.0, epoch.duration / kRangeTime);
   Shares place{};
   Shares logs{};

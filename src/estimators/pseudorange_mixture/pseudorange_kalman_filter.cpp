@@ -19,6 +19,7 @@ constexpr double kLeastMode = 0.001;        // of a mode in the chain: no way wi
 constexpr double kUsualCn0 = -10.0;         // against strong signals: the median among buildings [dB]
 constexpr double kLeastSigma = 0.5;         // of the usual one: multipath remains, however strong the signal
 constexpr double kMostSigma = 3.0;
+constexpr double kClockJump = 30.0;  // no reflection delays most satellites alike by as much [m]
 constexpr double kJumpSigmas = 5.0;
 constexpr double kChangeOfSpeed = 2.0;  // of a vehicle within the age of a measurement [m/s^2]
 constexpr double kLeastSpread = 3.0;    // of a reflected range rate [m/s]
@@ -142,7 +143,7 @@ void PseudorangeKalmanFilter::remove(int slot) {
 }
 
 EpochEvidence PseudorangeKalmanFilter::update(const SlottedEpoch& epoch, const RangeErrorParameters& errors) {
-  reopen_clock(epoch, errors);
+  reopen_clock(epoch);
   if (epoch.has_rates) {
     belief.covariance(PseudorangeBelief::kDrift, PseudorangeBelief::kDrift) +=
         square(kDriftWalk) * epoch.duration;
@@ -239,7 +240,7 @@ double PseudorangeKalmanFilter::update_rate(const SlottedObservation& satellite,
   const double q = std::exp(direct - likelihood);
   scales.learn_rate(innovation / std::sqrt(S), q);
   if (q < kLeastLineOfSight) return std::max(likelihood, kLeastLogLikelihood);
-  const double inflation = std::max(1.0, errors.range_rate_correlation_time / epoch.information);
+  const double inflation = std::max(1.0, kRangeRateTime / epoch.information);
   belief.correct(PHt, H.dot(PHt) + inflation * variance / q, innovation);
   return std::max(likelihood, kLeastLogLikelihood);
 }
@@ -270,7 +271,7 @@ void PseudorangeKalmanFilter::mix(const PseudorangeKalmanFilter& other, double s
 }
 
 /// Receivers steer their clocks in jumps: then all residuals move together, which no reflection explains.
-void PseudorangeKalmanFilter::reopen_clock(const SlottedEpoch& epoch, const RangeErrorParameters& errors) {
+void PseudorangeKalmanFilter::reopen_clock(const SlottedEpoch& epoch) {
   WeightedValues residuals;
   for (const SlottedObservation& satellite : epoch.satellites) {
     const RangePrediction prediction(belief, satellite, epoch);
@@ -281,10 +282,9 @@ void PseudorangeKalmanFilter::reopen_clock(const SlottedEpoch& epoch, const Rang
   const double high = weighted_quantile(residuals, 1.0 - kQuarter);
   const double jump = low > 0.0 ? low : high;
   const double common = std::max(low, -high);  // by which most are off the same way
-  if (common < errors.clock_jump) return;
-  if (common < errors.clock_jump + kJumpSigmas * largest_range_sigma(belief, epoch)) return;
-  belief.renew(PseudorangeBelief::kClock, belief.mean(PseudorangeBelief::kClock) + jump,
-               square(errors.clock_jump));
+  if (common < kClockJump) return;
+  if (common < kClockJump + kJumpSigmas * largest_range_sigma(belief, epoch)) return;
+  belief.renew(PseudorangeBelief::kClock, belief.mean(PseudorangeBelief::kClock) + jump, square(kClockJump));
 }
 
 }  // namespace multipath_localization

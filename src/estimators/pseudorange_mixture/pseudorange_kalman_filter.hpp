@@ -18,12 +18,13 @@ struct RangeErrorParameters {
   double evidence_time = 30.0;
   double mode_time = 20.0;
   double range_rate_sigma = 0.3;
-  double range_rate_correlation_time = 1.0;
-  double clock_jump = 30.0;
   SatelliteMixtureParameters mixture;
 
   void fields(ParameterVisitor& field);
 };
+
+/// Range rates closer in time than this say the same, whatever the rate of the receiver [s].
+inline constexpr double kRangeRateTime = 1.0;
 
 /// One satellite of an epoch with its place in the state.
 struct SlottedObservation {
@@ -94,7 +95,7 @@ struct PseudorangeKalmanFilter {
     double prior;  ///< of LOS
   };
 
-  void reopen_clock(const SlottedEpoch& epoch, const RangeErrorParameters& errors);
+  void reopen_clock(const SlottedEpoch& epoch);
   /// Of one satellite; adds to the evidence and gives its probability of LOS.
   double update_range(const SlottedObservation& satellite, const SlottedEpoch& epoch,
                       const RangeErrorParameters& errors, EpochEvidence& evidence);

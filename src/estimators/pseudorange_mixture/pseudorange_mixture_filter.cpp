@@ -21,6 +21,8 @@ constexpr double kFirstDuration = 0.2;   // data that the first epoch counts for
 constexpr double kLeastDuration = 1e-3;  // [s]
 constexpr double kFullSpeed = 1.0;       // from here on errors change at their full pace [m/s]
 constexpr double kAtRest = 0.1;          // of that pace
+constexpr double kLeastWeight = 0.03;  // of what new hypotheses get together: who is lighter has lost to them
+constexpr double kSlotTime = 300.0;    // unseen for so long, a satellite's bias has changed [s]
 constexpr std::size_t kCloud = 200;
 
 /// GPS's clock is the reference.
@@ -69,10 +71,7 @@ void set_motion(SlottedEpoch& epoch, const OdometryIncrement& last) {
 
 PseudorangeMixtureFilter::PseudorangeMixtureFilter(const PseudorangeMixtureFilterParameters& parameters,
                                                    std::uint64_t seed)
-    : parameters_(parameters),
-      seed_(seed),
-      bank_(parameters.odometry, parameters.receiver),
-      alignment_({parameters.align_probability, parameters.align_distance, parameters.least_agreement}) {}
+    : parameters_(parameters), seed_(seed), bank_(parameters.odometry, parameters.receiver) {}
 
 void PseudorangeMixtureFilter::start(const std::optional<PosePrior>& prior) {
   bank_.clear();
@@ -122,10 +121,10 @@ Innovation PseudorangeMixtureFilter::weigh(const PseudorangeEpoch& epoch) {
     return refused(Reason::kTooFewSatellites);
   }
   reseed(slotted_epoch);
-  bank_.update(slotted_epoch, laws(), parameters_.errors, parameters_.least_weight * reseed_probability());
+  bank_.update(slotted_epoch, laws(), parameters_.errors, kLeastWeight * reseed_probability());
   bank_.refresh(alignment_.aligned());
   update_alignment(slotted_epoch);
-  bank_.follow(slots_.retire(last_.stamp - parameters_.slot_time));
+  bank_.follow(slots_.retire(last_.stamp - kSlotTime));
   last_epoch_ = last_.stamp;
   moved_ = 0.0;
   ++step_;

@@ -19,17 +19,6 @@ struct PseudorangeMixtureFilterParameters {
   int hypotheses = 60;
   int subsets = 500;
   double start_sigma = 15.0;
-  double start_up_sigma = 25.0;
-  double start_drift_sigma = 100.0;
-  double least_weight = 0.03;
-  double reseed_interval = 2.0;
-  double reseed_probability = 0.005;
-  double watch_interval = 5.0;
-  double watch_probability = 1e-3;
-  double align_probability = 0.95;
-  double align_distance = 20.0;
-  double least_agreement = 0.4;
-  double slot_time = 300.0;
   double sigma_factor = 1.5;
   double uncorrected_sigma = 1.5;
   double position_sigma_floor = 0.3;
@@ -76,9 +65,7 @@ class PseudorangeMixtureFilter : public Estimator {
   /// Tries other places and headings beside those of the bank, when it is time to.
   void reseed(const SlottedEpoch& epoch);
   /// Weight that hypotheses get together which are tried so.
-  [[nodiscard]] double reseed_probability() const {
-    return alignment_.aligned() ? parameters_.watch_probability : parameters_.reseed_probability;
-  }
+  [[nodiscard]] double reseed_probability() const;
   [[nodiscard]] PseudorangeBelief unknown_belief() const;
   [[nodiscard]] PseudorangeHypothesis hypothesis_at(const PseudorangeSeed& seed, double yaw,
                                                     const Eigen::Vector2d& antenna_in_base,

@@ -11,6 +11,8 @@ namespace multipath_localization {
 namespace {
 
 constexpr double kUpClockCorrelation = 0.8;
+constexpr double kUpSigma = 25.0;      // of height and clock by one epoch among reflections [m]
+constexpr double kDriftSigma = 100.0;  // of a clock whose quartz is off by a third of a millionth [m/s]
 constexpr double kGoldenRatio = 0.6180339887498949;
 constexpr double kLeastYawStrata = 12.0;
 constexpr std::uint32_t kSeeding = 0xFFFFFFFEU;  // random streams beside those of hypotheses
@@ -20,8 +22,13 @@ constexpr double kAnyYaw = 1.8;                  // of any heading [rad]
 constexpr double kZenithDelaySigma = 4.0;        // without coefficients of the day, or of what they leave [m]
 constexpr double kAnySpeed = 10.0;               // of a robot without wheels [m/s]
 constexpr double kNewView = 2.0;                 // satellites come into view: the sky is another one
-constexpr int kReseedPart = 4;                   // of the hypotheses at the start
-constexpr int kWatchPart = 8;                    // likewise, when aligned
+// Hypotheses tried anew, first until one cluster has won, then once it has, when they are to cost little.
+constexpr double kReseedInterval = 2.0;       // the view of a street has changed by then [s]
+constexpr double kWatchInterval = 5.0;        // [s]
+constexpr double kReseedProbability = 0.005;  // they win by evidence, not by being many
+constexpr double kWatchProbability = 0.001;
+constexpr int kReseedPart = 4;  // of the hypotheses at the start
+constexpr int kWatchPart = 8;
 
 /// Whether satellites have come into view that tell wrong places from right ones.
 bool is_new_view(const SlottedEpoch& epoch) {
@@ -31,10 +38,10 @@ bool is_new_view(const SlottedEpoch& epoch) {
 }
 
 /// Of a receiver that was switched on just now.
-ReceiverPrior unknown_receiver(const PseudorangeMixtureFilterParameters& parameters) {
+ReceiverPrior unknown_receiver(const ReceiverStateNoise& receiver) {
   ReceiverPrior prior;
-  prior.up_variance = square(parameters.start_up_sigma);
-  prior.offset_variance.fill(square(parameters.receiver.offset_sigma));
+  prior.up_variance = square(kUpSigma);
+  prior.offset_variance.fill(square(receiver.offset_sigma));
   prior.zenith_delay_variance = square(kZenithDelaySigma);
   return prior;
 }
@@ -50,11 +57,11 @@ PseudorangeBelief PseudorangeMixtureFilter::unknown_belief() const {
   P(kScale, kScale) = square(parameters_.odometry.scale_sigma);
   P(kGyroBias, kGyroBias) = square(parameters_.odometry.gyro_bias_sigma);
   // What lengthens all ranges alike is known better than height and clock.
-  const double up = square(parameters_.start_up_sigma);
+  const double up = square(kUpSigma);
   P(State::kUp, State::kUp) = P(State::kClock, State::kClock) = up;
   P(State::kUp, State::kClock) = P(State::kClock, State::kUp) = kUpClockCorrelation * up;
   P(State::kZenithDelay, State::kZenithDelay) = square(kZenithDelaySigma);
-  P(State::kDrift, State::kDrift) = square(parameters_.start_drift_sigma);
+  P(State::kDrift, State::kDrift) = square(kDriftSigma);
   if (last_.from_range_rates) {
     P(kYaw, kYaw) = square(kAnyYaw);
     P.diagonal().segment<2>(State::kVelocityEast).setConstant(square(kAnySpeed));
@@ -103,8 +110,8 @@ bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double
   const double variance = bank_.place().overall_position_covariance.trace();
   SeedPrior prior{antenna_prior(epoch.antenna_in_base), std::nullopt};
   if (known) {
-    prior.receiver =
-        receiver_prior(bank_.heaviest().likeliest(), slots_, unknown_receiver(parameters_), variance);
+    prior.receiver = receiver_prior(bank_.heaviest().likeliest(), slots_,
+                                    unknown_receiver(parameters_.receiver), variance);
   }
   RandomStream random(seed_, step_, kSeeding);
   const auto seeds = pseudorange_seeds(observations, prior, static_cast<std::size_t>(count),
@@ -132,9 +139,13 @@ bool PseudorangeMixtureFilter::seed(const SlottedEpoch& epoch, int count, double
   return true;
 }
 
+double PseudorangeMixtureFilter::reseed_probability() const {
+  return alignment_.aligned() ? kWatchProbability : kReseedProbability;
+}
+
 void PseudorangeMixtureFilter::reseed(const SlottedEpoch& epoch) {
   const bool aligned = alignment_.aligned();
-  const double interval = aligned ? parameters_.watch_interval : parameters_.reseed_interval;
+  const double interval = aligned ? kWatchInterval : kReseedInterval;
   const bool of_use = aligned || moved_ > 0.0 || alignment_.in_doubt();
   if (!is_new_view(epoch) && (!of_use || last_.stamp - last_seeding_ <= interval)) return;
   seed(epoch, std::max(1, parameters_.hypotheses / (aligned ? kWatchPart : kReseedPart)),

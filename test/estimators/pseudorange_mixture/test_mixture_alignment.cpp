@@ -9,10 +9,8 @@ constexpr double kSure = 0.001;    // variance of a yaw that is known [rad^2]
 constexpr double kUnsure = 0.2;    // of one that is not
 constexpr double kExpected = 8.0;  // satellites
 
-MixtureAlignment alignment() { return MixtureAlignment({0.95, 20.0, 0.4}); }
-
 TEST(MixtureAlignment, TakesAWayWithOneCluster) {
-  MixtureAlignment monitor = alignment();
+  MixtureAlignment monitor;
   monitor.restart(std::nullopt);
   for (int i = 0; i < 19; ++i) monitor.update(0.99, kSure, 1.0);
   EXPECT_FALSE(monitor.aligned());
@@ -21,7 +19,7 @@ TEST(MixtureAlignment, TakesAWayWithOneCluster) {
 }
 
 TEST(MixtureAlignment, TheWayBeginsAnewWithASecondCluster) {
-  MixtureAlignment monitor = alignment();
+  MixtureAlignment monitor;
   for (int i = 0; i < 19; ++i) monitor.update(0.99, kSure, 1.0);
   monitor.update(0.9, kSure, 1.0);
   monitor.update(0.99, kSure, 1.0);
@@ -29,13 +27,13 @@ TEST(MixtureAlignment, TheWayBeginsAnewWithASecondCluster) {
 }
 
 TEST(MixtureAlignment, IsNoneWithoutAHeading) {
-  MixtureAlignment monitor = alignment();
+  MixtureAlignment monitor;
   for (int i = 0; i < 100; ++i) monitor.update(0.99, kUnsure, 1.0);
   EXPECT_FALSE(monitor.aligned());
 }
 
 TEST(MixtureAlignment, EndsWithTheClusterAndNotBefore) {
-  MixtureAlignment monitor = alignment();
+  MixtureAlignment monitor;
   monitor.restart(kSure);
   EXPECT_TRUE(monitor.aligned()) << "the prior knew the heading";
   monitor.update(0.85, kSure, 1.0);
@@ -45,7 +43,7 @@ TEST(MixtureAlignment, EndsWithTheClusterAndNotBefore) {
 }
 
 TEST(MixtureAlignment, EndsWhereSatellitesAreMissedForSeconds) {
-  MixtureAlignment monitor = alignment();
+  MixtureAlignment monitor;
   monitor.restart(kSure);
   monitor.compare(1.0, kExpected, 1.0);
   EXPECT_FALSE(monitor.in_doubt()) << "one epoch";
@@ -58,7 +56,7 @@ TEST(MixtureAlignment, EndsWhereSatellitesAreMissedForSeconds) {
 }
 
 TEST(MixtureAlignment, APriorWithoutAHeadingAlignsNothing) {
-  MixtureAlignment monitor = alignment();
+  MixtureAlignment monitor;
   monitor.restart(kUnsure);
   EXPECT_FALSE(monitor.aligned());
 }

@@ -100,9 +100,7 @@ TEST(PseudorangeMixtureFilter, DeadReckonsThroughAnOutageAndKnowsThatItDoes) {
 }
 
 TEST(PseudorangeMixtureFilter, FollowsTheSkyAsItChanges) {
-  PseudorangeMixtureFilterParameters parameters = quick();
-  parameters.slot_time = 10.0;
-  Started run(23, parameters);
+  Started run(23, quick());
   run.drive.run(run.filter, 30.0);
   // Every quarter of a minute all satellites but three have set, and others have risen.
   for (int change = 1; change <= 6; ++change) {
