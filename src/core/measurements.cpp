@@ -49,6 +49,12 @@ bool carry(GnssVelocity& velocity, const BaseThen& base_then) {
   return base_then(velocity.stamp).has_value();
 }
 
+bool carry(Heading& heading, const BaseThen& base_then) {
+  const std::optional<Pose2> then = base_then(heading.stamp);
+  if (then) heading.turn = -then->yaw;
+  return then.has_value();
+}
+
 bool carry(DualAntennaFix& fixes, const BaseThen& base_then) {
   return carry(fixes.left, base_then) && carry(fixes.right, base_then);
 }

@@ -49,7 +49,7 @@ TruthSample truth_of(const Simulator& simulator) {
   sample.stamp = simulator.time();
   sample.base_in_map = simulator.truth();
   sample.has_yaw = true;
-  sample.shadow = simulator.in_shadow();
+  sample.shadow = simulator.around().in_shadow;
   return sample;
 }
 

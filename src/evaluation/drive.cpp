@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "evaluation/doppler_odometry.hpp"
+#include "evaluation/fix_claims.hpp"
 #include "evaluation/pseudorange_file.hpp"
 #include "multipath_localization/core/estimate.hpp"
 #include "multipath_localization/core/twist_sample.hpp"
@@ -80,16 +81,6 @@ std::vector<OdometryIncrement> odometry_by_doppler(const std::vector<RecordedMea
   return odometry_of(track.samples);
 }
 
-FixStatus status_of(const CsvTable& table, std::size_t row) {
-  if (!table.has("status")) return FixStatus::kSingle;
-  const double status = table.number(row, "status");
-  for (const FixStatus known :
-       {FixStatus::kNone, FixStatus::kSingle, FixStatus::kSatelliteBased, FixStatus::kGroundBased}) {
-    if (status == static_cast<double>(known)) return known;
-  }
-  throw table.error(row, "status is none of -1, 0, 1, 2");
-}
-
 double arrival_of(const CsvTable& table, std::size_t row) {
   return table.number(row, table.has("t_arrival") ? "t_arrival" : "t", kLatestTime);
 }
@@ -112,6 +103,7 @@ RecordedMeasurement read_fix(const CsvTable& table, std::size_t row, std::size_t
   const double north = table.number(row, "cov_nn_m2");
   fix.covariance << east, cross, cross, north;
   fix.status = status_of(table, row);
+  fix.level = level_of(table, row);
   return {fix, arrival_of(table, row)};
 }
 
@@ -138,6 +130,17 @@ void read_velocities(const std::string& file, std::vector<RecordedMeasurement>& 
     velocity.velocity = {table.number(i, "east_mps", kFastest), table.number(i, "north_mps", kFastest)};
     velocity.covariance = square(table.number(i, "sigma_mps", kFastest)) * Eigen::Matrix2d::Identity();
     measurements.push_back({velocity, arrival_of(table, i)});
+  }
+}
+
+/// None where there is no such file.
+void read_headings(const std::string& file, std::vector<RecordedMeasurement>& measurements) {
+  if (!std::filesystem::exists(file)) return;
+  const CsvTable table(file, {"t", "yaw_rad", "sigma_rad"});
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const Heading heading{stamp_in_order(table, i), wrap_angle(table.number(i, "yaw_rad", kMostTurned)),
+                          square(table.number(i, "sigma_rad", kFastest))};
+    measurements.push_back({heading, arrival_of(table, i)});
   }
 }
 
@@ -277,6 +280,7 @@ Drive read_drive(const std::string& directory) {
   for (const FixFile& file : fixes) file.read(map, drive);
   drive.measurements.insert(drive.measurements.end(), epochs.begin(), epochs.end());
   read_velocities(folder / "velocity.csv", drive.measurements);
+  read_headings(folder / "heading.csv", drive.measurements);
   sort_by_arrival(drive.measurements);
   drive.yaw_rates = read_yaw_rates(folder / "gyro.csv");
 

@@ -77,18 +77,17 @@ std::string fix_file_of(std::size_t receiver);
 
 /// Reads `odometry.csv` (t, vx, wz; optional vy, duration), `truth.csv` (t, lat_deg, lon_deg; optional alt_m,
 /// yaw, shadow, wheel_fault) and `fix.csv` (t, lat_deg, lon_deg, cov_ee_m2, cov_en_m2, cov_nn_m2; optional
-/// alt_m, t_arrival, status as of NavSatStatus, whose -1 is refused as no fix, antenna_x_m with antenna_y_m,
-/// the lever arm) with the like `fix_2.csv`, `fix_3.csv`, ... of further receivers, or `pseudoranges.csv`
-/// (PseudorangeFile) or both of a directory, and where they are there `gyro.csv` (t, yaw_rate_radps; optional
-/// t_arrival) and `velocity.csv` (t, east_mps, north_mps, sigma_mps; optional t_arrival) of the antenna;
-/// other columns are left alone. Times are seconds up to
-/// kLatestTime, wheels turn at up to 1e3 m/s and rad/s. The motion between two rows is `motion_between` them,
-/// and the first row stands for kFirstInterval; with a `duration` [s] a row is the mean over it, up to t. The
-/// map's datum is the first fix,
-/// without fixes the solution of the first epoch: truth decides nothing but the score, and without
-/// `truth.csv` there is none. Without `odometry.csv` the motion is that by the Doppler shifts of
-/// `pseudoranges.csv` (doppler_odometry.hpp). The drive's notices say so.
-/// Throws DriveError.
+/// alt_m, t_arrival, status as of NavSatStatus, whose -1 is refused as no fix, level as of FixLevel,
+/// antenna_x_m with antenna_y_m, the lever arm) with the like `fix_2.csv`, `fix_3.csv`, ... of further
+/// receivers, or `pseudoranges.csv` (PseudorangeFile) or both of a directory, and where they are there
+/// `gyro.csv` (t, yaw_rate_radps; optional t_arrival), `velocity.csv` (t, east_mps, north_mps, sigma_mps;
+/// optional t_arrival) of the antenna and `heading.csv` (t, yaw_rad, sigma_rad; optional t_arrival) of the
+/// base; other columns are left alone. Times are seconds up to kLatestTime, wheels turn at up to 1e3 m/s and
+/// rad/s. The motion between two rows is `motion_between` them, and the first row stands for kFirstInterval;
+/// with a `duration` [s] a row is the mean over it, up to t. The map's datum is the first fix, without fixes
+/// the solution of the first epoch: truth decides nothing but the score, and without `truth.csv` there is
+/// none. Without `odometry.csv` the motion is that by the Doppler shifts of `pseudoranges.csv`
+/// (doppler_odometry.hpp). The drive's notices say so. Throws DriveError.
 Drive read_drive(const std::string& directory);
 
 }  // namespace multipath_localization

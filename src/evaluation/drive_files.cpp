@@ -1,6 +1,7 @@
 #include "evaluation/drive_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -56,13 +57,13 @@ void write_odometry(const Drive& drive, const fs::path& folder) {
 
 void write_fixes(const Drive& drive, std::size_t receiver, const LocalFrame& map, const fs::path& folder) {
   CsvFile file(folder / fix_file_of(receiver),
-               "t,lat_deg,lon_deg,cov_ee_m2,cov_en_m2,cov_nn_m2,status,antenna_x_m,antenna_y_m");
+               "t,lat_deg,lon_deg,cov_ee_m2,cov_en_m2,cov_nn_m2,status,level,antenna_x_m,antenna_y_m");
   for (const GnssFix& fix : drive.fixes(receiver)) {
     const Geodetic point = map.to_geodetic(fix.position);
     const Eigen::Matrix2d& covariance = fix.covariance;
     file.row(fix.stamp, point.latitude_deg, point.longitude_deg, covariance(0, 0), covariance(0, 1),
-             covariance(1, 1), static_cast<int>(fix.status), fix.antenna_in_base.x(),
-             fix.antenna_in_base.y());
+             covariance(1, 1), static_cast<int>(fix.status), static_cast<int>(fix.level),
+             fix.antenna_in_base.x(), fix.antenna_in_base.y());
   }
   file.close();
 }
@@ -107,6 +108,17 @@ void write_velocities(const Drive& drive, const fs::path& folder) {
   if (file) file->close();
 }
 
+void write_headings(const Drive& drive, const fs::path& folder) {
+  std::optional<CsvFile> file;
+  for (const auto& [measurement, arrival] : drive.measurements) {
+    const auto* heading = std::get_if<Heading>(&measurement);
+    if (heading == nullptr) continue;
+    if (!file) file.emplace(folder / "heading.csv", "t,yaw_rad,sigma_rad,t_arrival");
+    file->row(heading->stamp, heading->yaw, std::sqrt(heading->variance), arrival);
+  }
+  if (file) file->close();
+}
+
 /// Why a directory is no drive to be run, or nothing.
 std::string what_is_missing(const fs::path& folder) {
   for (const char* file : {"truth.csv", "fix.csv", "odometry.csv"}) {
@@ -138,6 +150,7 @@ void write_drive(const Drive& drive, const std::string& directory) {
   write_truth(drive, map, folder);
   write_yaw_rates(drive, folder);
   write_velocities(drive, folder);
+  write_headings(drive, folder);
 }
 
 namespace {

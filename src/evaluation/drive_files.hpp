@@ -7,11 +7,11 @@
 
 namespace multipath_localization {
 
-/// Writes odometry, fixes, truth and, where there are any, yaw rates and velocities of a drive into a
-/// directory, which is made: `odometry.csv` with a column `duration`, `fix.csv` with `status` and the lever
+/// Writes odometry, fixes, truth and, where there are any, yaw rates, velocities and headings of a drive into
+/// a directory, which is made: `odometry.csv` with a column `duration`, `fix.csv` with `status` and the lever
 /// arm, of further receivers `fix_2.csv` and so on, `truth.csv` with `yaw` and, where it is known, `shadow`,
-/// `gyro.csv`, `velocity.csv`. `read_drive` gives the same drive back, in a map frame whose datum is the
-/// first fix. Other measurements are not written. Throws DriveError.
+/// `gyro.csv`, `velocity.csv`, `heading.csv`. `read_drive` gives the same drive back, in a map frame whose
+/// datum is the first fix. Other measurements are not written. Throws DriveError.
 void write_drive(const Drive& drive, const std::string& directory);
 
 /// The recordings of a directory, by name.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "simulation/random_gyro.hpp"
+#include "simulation/random_heading.hpp"
 #include "simulation/random_velocity.hpp"
 #include "simulation/streams.hpp"
 
@@ -42,6 +43,11 @@ void add_extras(const RandomExtras& extras, std::uint64_t seed, const RandomRobo
       drive.measurements.push_back({read, read.stamp});
     }
   }
+  if (extras.heading) {
+    for (const Heading& read : read_headings(draw_heading(seed), robot.steps, seed)) {
+      drive.measurements.push_back({read, read.stamp});
+    }
+  }
   if (extras.receivers) {
     RandomStream random(seed, 1, kRandomReceiverStream);
     const RandomReceiver second = draw_receiver(random, robot.steps, robot.way.speed);
@@ -50,7 +56,17 @@ void add_extras(const RandomExtras& extras, std::uint64_t seed, const RandomRobo
       drive.measurements.push_back({fix, fix.stamp});
     }
   }
-  if (extras.velocity || extras.receivers) sort_by_arrival(drive.measurements);
+  if (extras.velocity || extras.heading || extras.receivers) sort_by_arrival(drive.measurements);
+}
+
+/// The level of an RTK receiver's fix, by its own word.
+FixLevel level_of(const FixTruth& truth) {
+  if (truth.level == kFixed) return FixLevel::kFixed;
+  return truth.level == kFloat ? FixLevel::kFloat : FixLevel::kSingle;
+}
+
+void tell_levels(const std::vector<FixTruth>& truths, std::vector<GnssFix>& fixes) {
+  for (std::size_t i = 0; i < fixes.size(); ++i) fixes[i].level = level_of(truths[i]);
 }
 
 }  // namespace
@@ -65,6 +81,7 @@ RandomDrive random_drive(std::uint64_t seed, const RandomExtras& extras) {
   made.drive.odometry = std::move(odometry.increments);
   made.without_faults = std::move(odometry.without_faults);
   ReadFixes fixes = read_fixes(made.robot.receiver, made.robot.steps, seed);
+  if (extras.levels && made.robot.receiver.kind == ReceiverKind::kRtk) tell_levels(fixes.truths, fixes.fixes);
   for (const GnssFix& fix : fixes.fixes) made.drive.measurements.push_back({fix, fix.stamp});
   made.fix_truths = std::move(fixes.truths);
   add_extras(extras, seed, made.robot, made.drive);

@@ -14,6 +14,8 @@ struct RandomExtras {
   bool gyro = false;
   bool velocity = false;
   bool receivers = false;  ///< a second one, of any kind, 0.8 m beside the first one
+  bool heading = false;
+  bool levels = false;  ///< RTK receivers tell theirs
 };
 
 /// An extra by the name that the command line has for it.
@@ -21,9 +23,11 @@ struct NamedExtra {
   const char* name;
   bool RandomExtras::*given;
 };
-constexpr std::array<NamedExtra, 3> kExtras = {{{"gyro", &RandomExtras::gyro},
+constexpr std::array<NamedExtra, 5> kExtras = {{{"gyro", &RandomExtras::gyro},
                                                 {"velocity", &RandomExtras::velocity},
-                                                {"receivers", &RandomExtras::receivers}}};
+                                                {"receivers", &RandomExtras::receivers},
+                                                {"heading", &RandomExtras::heading},
+                                                {"levels", &RandomExtras::levels}}};
 
 /// A random robot's drive as a recording, and what only the oracle is told of it.
 struct RandomDrive {

@@ -197,8 +197,8 @@ std::string to_table(const std::vector<RunRecord>& runs) {
 }
 
 std::string losses(const std::vector<RunRecord>& runs) {
-  constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fixes", "pairs of fixes",
-                                                                                "epochs", "velocities"};
+  constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {
+      "fixes", "pairs of fixes", "epochs", "velocities", "headings"};
   std::string text;
   for (const RunRecord& run : runs) {
     for (std::size_t kind = 0; run.seed == 1 && kind < kKinds.size(); ++kind) {

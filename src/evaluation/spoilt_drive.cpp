@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "multipath_localization/core/angle.hpp"
 #include "simulation/streams.hpp"
 
 namespace multipath_localization {
@@ -47,6 +48,23 @@ std::vector<RecordedYawRate> through(SensorFaults faults, const std::vector<Reco
   return out;
 }
 
+/// Of the measurements the headings, whose third number they are.
+std::vector<RecordedMeasurement> headings_through(SensorFaults faults,
+                                                  const std::vector<RecordedMeasurement>& all) {
+  std::vector<RecordedMeasurement> out;
+  for (RecordedMeasurement recorded : all) {
+    if (auto* heading = std::get_if<Heading>(&recorded.measurement)) {
+      const auto spoilt = faults.spoil(heading->stamp, {0.0, 0.0, heading->yaw});
+      if (!spoilt) continue;
+      heading->yaw = wrap_angle(spoilt->value.z());
+      recorded.arrival += spoilt->delay;
+    }
+    out.push_back(recorded);
+  }
+  sort_by_arrival(out);
+  return out;
+}
+
 /// Of the measurements the velocities.
 std::vector<RecordedMeasurement> through(SensorFaults faults, const std::vector<RecordedMeasurement>& all) {
   std::vector<RecordedMeasurement> out;
@@ -73,6 +91,8 @@ Drive spoilt(const Drive& drive, const FaultParameters& faults, std::uint64_t se
   result.measurements =
       through(SensorFaults(faults.velocity, "velocity", seed, kVelocityFaultStream, drive.start()),
               result.measurements);
+  result.measurements = headings_through(
+      SensorFaults(faults.heading, "heading", seed, kHeadingFaultStream, drive.start()), result.measurements);
   result.yaw_rates =
       through(SensorFaults(faults.gyro, "gyro", seed, kGyroFaultStream, drive.start()), drive.yaw_rates);
   return result;

@@ -139,7 +139,7 @@ void write_estimates(std::ostream& out, const std::vector<Epoch>& epochs, double
 /// What became of the measurements the estimator has a model for.
 void write_weighings(std::ostream& out, const RunRecord& run, double start) {
   constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fix", "dual", "epoch",
-                                                                                "velocity"};
+                                                                                "velocity", "heading"};
   std::vector<Weighing> used;
   for (const Weighing& weighing : run.weighings) {
     if (weighing.reason != Reason::kUnused) used.push_back(weighing);

@@ -8,13 +8,13 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fixes", "pairs of fixes",
-                                                                              "pseudoranges", "velocities"};
+constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {
+    "fixes", "pairs of fixes", "pseudoranges", "velocities", "headings"};
 
 }  // namespace
 
 void LastAccepted::note(const Measurement& measurement) {
-  if (std::holds_alternative<GnssVelocity>(measurement)) return;
+  if (measurement.index() == kVelocityKind || measurement.index() == kHeadingKind) return;
   std::optional<double>& last = stamps_[measurement.index()];
   last = std::max(last.value_or(stamp_of(measurement)), stamp_of(measurement));
 }

@@ -160,6 +160,13 @@ constexpr double kOffAfterOutage = 0.5;       ///< share of outages after which 
 constexpr LogSpan kOffAfterOutageBias{1.0, 15.0};  ///< [m] by this
 constexpr LogSpan kOffAfterOutageTime{3.0, 40.0};  ///< [s] for this long
 
+// Headings of two antennas or of a compass
+constexpr LogSpan kHeadingSigma{0.003, 0.06};   ///< [rad] a baseline of a metre .. a cheap compass
+constexpr LogSpan kHeadingTime{2.0, 60.0};      ///< [s] in which its slow part forgets itself
+constexpr Span kHeadingOffset{-0.03, 0.03};     ///< [rad] of a mounting by hand
+constexpr LogSpan kHeadingDeclared{0.3, 3.0};   ///< declared over true sigma
+constexpr LogSpan kHeadingOutliers{1e-3, 0.1};  ///< share of the time
+
 }  // namespace random_ranges
 
 }  // namespace multipath_localization

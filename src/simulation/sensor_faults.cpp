@@ -18,6 +18,7 @@ Eigen::Vector3d normal3(RandomStream& random) {
 /// What a fault makes of a value that is sent all the same.
 void apply(const SensorFault& fault, RandomStream& random, SensorFaults::Spoilt& spoilt) {
   if (fault.kind == "reversed") spoilt.value = -spoilt.value;
+  if (fault.kind == "offset") spoilt.value.array() += fault.size;
   if (fault.kind == "noisy") spoilt.value += fault.size * normal3(random);
   if (fault.kind == "late") spoilt.delay += fault.size;
   if (fault.kind == "not_finite") spoilt.value.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -27,10 +28,12 @@ void apply(const SensorFault& fault, RandomStream& random, SensorFaults::Spoilt&
 
 void SensorFault::fields(ParameterVisitor& field) {
   FaultInterval::fields(field);
-  field("kind", kind, {"silent", "frozen", "reversed", "noisy", "late", "not_finite"},
-        "silent: nothing comes; frozen: the first value again and again; reversed: of the other sign; noisy: "
-        "white noise on top; late; not_finite: NaN");
-  field("size", size, {0.0, 1e3}, "rad/s, m/s, s", "noisy: 1 sigma in the input's unit; late: by this [s]");
+  field(
+      "kind", kind, {"silent", "frozen", "reversed", "offset", "noisy", "late", "not_finite"},
+      "silent: nothing comes; frozen: the first value again and again; reversed: of the other sign; offset: "
+      "always off by as much; noisy: white noise on top; late; not_finite: NaN");
+  field("size", size, {0.0, 1e3}, "rad/s, m/s, rad, s",
+        "offset: of each component, and noisy: 1 sigma, in the input's unit; late: by this [s]");
 }
 
 std::optional<SensorFaults::Spoilt> SensorFaults::spoil(double stamp, const Eigen::Vector3d& value) {

@@ -17,6 +17,7 @@ void SimulatorParameters::fields(ParameterVisitor& field) {
   field.group("second_receiver", second_receiver, "another GNSS receiver, beside the first one");
   field.group("dual_receiver", dual_receiver, "a pair of RTK receivers, to tell the heading too");
   field.group("gyro", gyro, "a gyro beside the odometry");
+  field.group("compass", compass, "what tells the heading: a compass or two antennas");
   field.group("velocity", velocity, "velocities by Doppler, of the antenna of `receiver`");
   field.group("constellations", constellations, "satellites: those that fly");
   field.group("sky", sky, "satellites: how their signals spread among the buildings");
@@ -38,6 +39,7 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
       fix_faults_(parameters.faults.fix, seed),
       odometry_faults_(parameters.faults.odometry, seed),
       gyro_(parameters.gyro, seed),
+      compass_(parameters.compass, parameters.faults.heading, seed),
       velocity_receiver_(parameters.velocity, seed),
       gyro_faults_(parameters.faults.gyro, "gyro", seed, kGyroFaultStream),
       velocity_faults_(parameters.faults.velocity, "velocity", seed, kVelocityFaultStream) {
@@ -95,7 +97,7 @@ std::vector<GnssVelocity> Simulator::velocities(double duration) {
   const Eigen::Vector2d swing = robot_.yaw_rate() * Eigen::Vector2d(-antenna.y(), antenna.x());
   const Eigen::Vector2d velocity =
       rotation(robot_.pose().yaw) * (Eigen::Vector2d(robot_.speed(), robot_.lateral_speed()) + swing);
-  for (GnssVelocity read : velocity_receiver_.step(velocity, in_shadow(), time(), duration)) {
+  for (GnssVelocity read : velocity_receiver_.step(velocity, reception_.in_shadow, time(), duration)) {
     const auto spoilt = velocity_faults_.spoil(read.stamp, {read.velocity.x(), read.velocity.y(), 0.0});
     if (!spoilt || outage_at(parameters_.outages, read.stamp)) continue;
     read.velocity = spoilt->value.head<2>();
@@ -121,6 +123,9 @@ Readings Simulator::step(const MotionCommand& u) {
   const auto bias_at = [this](const Eigen::Vector2d& point) { return zones_.around(point).bias; };
   for (const DualAntennaFix& fixes : dual_receiver_.step(robot_.pose(), bias_at, time())) {
     readings.measurements.emplace_back(fixes);
+  }
+  for (const Heading& heading : compass_.step(robot_.pose().yaw, time())) {
+    readings.measurements.emplace_back(heading);
   }
   for (const GnssVelocity& velocity : velocities(duration)) readings.measurements.emplace_back(velocity);
   return readings;

@@ -7,6 +7,7 @@
 
 #include "multipath_localization/core/geodesy.hpp"
 #include "simulation/building.hpp"
+#include "simulation/compass.hpp"
 #include "simulation/constellations.hpp"
 #include "simulation/dual_receiver.hpp"
 #include "simulation/faults.hpp"
@@ -34,6 +35,7 @@ struct SimulatorParameters {
   SecondReceiverParameters second_receiver;
   DualReceiverParameters dual_receiver;
   GyroParameters gyro;
+  CompassParameters compass;
   VelocityReceiverParameters velocity;
   ConstellationParameters constellations;
   SkyParameters sky;
@@ -71,10 +73,9 @@ class Simulator {
   [[nodiscard]] double speed() const { return robot_.speed(); }                  ///< true [m/s]
   [[nodiscard]] double yaw_rate() const { return robot_.yaw_rate(); }            ///< true [rad/s]
   [[nodiscard]] double lateral_speed() const { return robot_.lateral_speed(); }  ///< true, to the left [m/s]
-  /// Of a fix taken now, map [m]; by satellites: the error of the last fix.
-  [[nodiscard]] const Eigen::Vector2d& bias() const { return reception_.bias; }
-  /// The antenna is in a zone; by satellites: those in line of sight are not the majority of those received.
-  [[nodiscard]] bool in_shadow() const { return reception_.in_shadow; }
+  /// Of a fix taken now; by satellites the bias is the error of the last fix, and a shadow is where those in
+  /// line of sight are not the majority of those received.
+  [[nodiscard]] const Reception& around() const { return reception_; }
   /// The NavSatStatus that a fix of that stamp claims, where a fault makes it lie.
   [[nodiscard]] std::optional<int> claimed_status(double stamp) const { return fix_faults_.status(stamp); }
   [[nodiscard]] const SimulatorParameters& parameters() const { return parameters_; }
@@ -97,6 +98,7 @@ class Simulator {
   FixFaults fix_faults_;
   OdometryFaults odometry_faults_;
   Gyro gyro_;
+  Compass compass_;
   VelocityReceiver velocity_receiver_;
   SensorFaults gyro_faults_;
   SensorFaults velocity_faults_;

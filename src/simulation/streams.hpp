@@ -16,6 +16,7 @@ enum SimulationStream : std::uint32_t {
   kGyroStream,
   kVelocityStream,
   kLaserStream,
+  kCompassStream,
   kZoneStream = 0xF0001000U,       ///< plus the index of the zone
   kFaultZoneStream = 0xF0001800U,  ///< plus the index of the zone among the faults
   kConstellationStream = 0xF0002000U,
@@ -32,6 +33,7 @@ enum SimulationStream : std::uint32_t {
   kOdometryLossStream,
   kGyroFaultStream,
   kVelocityFaultStream,
+  kHeadingFaultStream,
   kFixColouredNoiseStream = 0xF0006000U,  ///< plus the index of the noise
   kFixWhiteNoiseStream = 0xF0007000U,     ///< plus the index of the noise
   kRandomRobotStream = 0xF0008000U,       ///< what a random robot is
@@ -41,6 +43,7 @@ enum SimulationStream : std::uint32_t {
   kRandomFixStream,
   kRandomGyroStream,
   kRandomVelocityStream,
+  kRandomHeadingStream,
 };
 
 }  // namespace multipath_localization

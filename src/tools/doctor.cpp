@@ -24,6 +24,8 @@ po::options_description options_of(ObservationRequest& request) {
   add("imu-topic", text(request.imu_topic), "of sensor_msgs/Imu, where there is one");
   add("velocity-topic", text(request.velocity_topic),
       "of geometry_msgs/TwistWithCovarianceStamped or TwistStamped, where there is one");
+  add("heading-topic", text(request.heading_topic),
+      "of sensor_msgs/Imu or geometry_msgs/PoseWithCovarianceStamped, where there is one");
   add("params", text(request.parameters), "parameters of localization_node, for frames and datum");
   add("node", text(request.node), "live: the node whose parameters count where --params is not given");
   add("seconds", po::value(&request.seconds)->default_value(request.seconds),

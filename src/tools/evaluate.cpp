@@ -88,10 +88,15 @@ void leave_aside(const RandomExtras& inputs, Drive& drive) {
   if (inputs.gyro) drive.yaw_rates.clear();
   const auto left_aside = [&](const RecordedMeasurement& recorded) {
     const auto* fix = std::get_if<GnssFix>(&recorded.measurement);
-    return (inputs.velocity && std::holds_alternative<GnssVelocity>(recorded.measurement)) ||
+    return (inputs.heading && std::holds_alternative<Heading>(recorded.measurement)) ||
+           (inputs.velocity && std::holds_alternative<GnssVelocity>(recorded.measurement)) ||
            (inputs.receivers && fix != nullptr && fix->receiver > 0);
   };
   auto& all = drive.measurements;
+  for (RecordedMeasurement& recorded : all) {
+    auto* fix = std::get_if<GnssFix>(&recorded.measurement);
+    if (inputs.levels && fix != nullptr) fix->level = FixLevel::kUntold;
+  }
   all.erase(std::remove_if(all.begin(), all.end(), left_aside), all.end());
 }
 

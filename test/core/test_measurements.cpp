@@ -116,6 +116,13 @@ TEST(Measurement, CarriedBackHasItsAntennasWhereTheyWere) {
   EXPECT_LT((carried_epoch.antenna_in_base - carried).norm(), 1e-12);
 }
 
+TEST(Measurement, CarriedBackKnowsHowFarAHeadingHasTurned) {
+  const BaseThen base_then = [](double) { return Pose2{-2.0, 0.5, -0.4}; };
+  const auto carried = std::get<Heading>(carried_back(Heading{1.0, 3.0, 0.01}, base_then).value());
+  EXPECT_EQ(carried.yaw, 3.0);
+  EXPECT_NEAR(carried.turn, 0.4, 1e-12);
+}
+
 TEST(Measurement, CarriedBackEachAntennaOfAPairByItsOwnStamp) {
   DualAntennaFix fixes;
   fixes.left.stamp = 3.0;

@@ -38,9 +38,19 @@ TEST(DriveFiles, GiveTheDriveBackThatWasWritten) {
   EXPECT_EQ(read.truth.back().shadow, written.truth.back().shadow);
 }
 
-TEST(DriveFiles, GiveYawRatesAndVelocitiesBack) {
+/// The last one of its kind.
+template <class Kind>
+Kind last(const Drive& drive) {
+  Kind found;
+  for (const RecordedMeasurement& recorded : drive.measurements) {
+    if (const auto* one = std::get_if<Kind>(&recorded.measurement)) found = *one;
+  }
+  return found;
+}
+
+TEST(DriveFiles, GiveYawRatesVelocitiesAndHeadingsBack) {
   const TemporaryFolder folder;
-  Drive written = random_drive(7, {true, true}).drive;
+  Drive written = random_drive(7, {true, true, false, true}).drive;
   for (RecordedYawRate& recorded : written.yaw_rates) recorded.arrival += 0.1;
   write_drive(written, folder.path() + "/seven");
   const Drive read = read_drive(folder.path() + "/seven");
@@ -51,16 +61,26 @@ TEST(DriveFiles, GiveYawRatesAndVelocitiesBack) {
     ASSERT_EQ(read.yaw_rates[i].yaw_rate.rate, written.yaw_rates[i].yaw_rate.rate);
     ASSERT_EQ(read.yaw_rates[i].arrival, written.yaw_rates[i].arrival);
   }
-  const auto last = [](const Drive& drive) {
-    GnssVelocity found;
-    for (const RecordedMeasurement& recorded : drive.measurements) {
-      if (const auto* velocity = std::get_if<GnssVelocity>(&recorded.measurement)) found = *velocity;
-    }
-    return found;
-  };
-  EXPECT_GT(last(read).stamp, 0.0);
-  EXPECT_EQ(last(read).velocity, last(written).velocity);
-  EXPECT_NEAR((last(read).covariance - last(written).covariance).norm(), 0.0, 1e-12);
+  const auto velocity = last<GnssVelocity>(read), velocity_written = last<GnssVelocity>(written);
+  EXPECT_GT(velocity.stamp, 0.0);
+  EXPECT_EQ(velocity.velocity, velocity_written.velocity);
+  EXPECT_NEAR((velocity.covariance - velocity_written.covariance).norm(), 0.0, 1e-12);
+  const auto heading = last<Heading>(read), heading_written = last<Heading>(written);
+  EXPECT_GT(heading.stamp, 0.0);
+  EXPECT_NEAR(heading.yaw, heading_written.yaw, 1e-12);
+  EXPECT_NEAR(heading.variance, heading_written.variance, 1e-12);
+}
+
+TEST(DriveFiles, GiveTheLevelsOfFixesBack) {
+  const TemporaryFolder folder;
+  Drive written = random_drive(7).drive;
+  for (RecordedMeasurement& recorded : written.measurements) {
+    std::get<GnssFix>(recorded.measurement).level = FixLevel::kFloat;
+  }
+  write_drive(written, folder.path() + "/seven");
+  for (const GnssFix& fix : read_drive(folder.path() + "/seven").fixes()) {
+    ASSERT_EQ(fix.level, FixLevel::kFloat);
+  }
 }
 
 TEST(DriveFiles, GiveTheFixesOfFurtherReceiversBack) {

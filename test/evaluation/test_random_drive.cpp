@@ -50,6 +50,28 @@ TEST(RandomDrive, StaysTheSameRobotWithAGyroAndVelocities) {
   EXPECT_EQ(with.drive.fixes().back().position, without.drive.fixes().back().position);
 }
 
+TEST(RandomDrive, StaysTheSameRobotWithHeadings) {
+  const RandomDrive without = random_drive(9);
+  const RandomDrive with = random_drive(9, {false, false, false, true});
+  EXPECT_GT(with.drive.measurements.size(), without.drive.measurements.size() + 100u);
+  EXPECT_EQ(with.drive.fixes().back().position, without.drive.fixes().back().position);
+}
+
+TEST(RandomDrive, TellsTheLevelsOfRtkAlone) {
+  int told = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const RandomDrive made = random_drive(seed, {false, false, false, false, true});
+    const bool rtk = made.robot.receiver.kind == ReceiverKind::kRtk;
+    const std::vector<GnssFix> fixes = made.drive.fixes();
+    for (std::size_t i = 0; i < fixes.size(); ++i) {
+      ASSERT_EQ(fixes[i].level != FixLevel::kUntold, rtk);
+      ASSERT_EQ(fixes[i].level == FixLevel::kFixed, rtk && made.fix_truths[i].level == kFixed);
+    }
+    told += rtk ? 1 : 0;
+  }
+  EXPECT_GT(told, 1);
+}
+
 TEST(RandomDrive, HasASecondReceiverBesideTheFirst) {
   const RandomDrive without = random_drive(9);
   const RandomDrive with = random_drive(9, {false, false, true});

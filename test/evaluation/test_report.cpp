@@ -20,6 +20,15 @@ RunRecord run_of(const std::string& estimator, std::uint64_t seed, double rmse) 
   return run;
 }
 
+TEST(Losses, NameEveryKindOfMeasurement) {
+  RunRecord run = run_of("a", 1, 1.5);
+  for (ReasonTally& fate : run.fates) fate.count(Reason::kNotFinite);
+  const std::string text = losses({run});
+  for (const char* kind : {"fixes", "pairs of fixes", "epochs", "velocities", "headings"}) {
+    EXPECT_NE(text.find(std::string("a: ") + kind), std::string::npos) << kind;
+  }
+}
+
 TEST(ToJson, HasTheContractsKeysAndNullsForWhatDoesNotApply) {
   const std::string text = to_json({run_of("a", 3, 1.5)});
   const YAML::Node list = YAML::Load(text);

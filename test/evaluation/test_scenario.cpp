@@ -50,7 +50,7 @@ TEST_P(ShippedScenario, IsDrivenRoundByItsOwnSteering) {
   for (; simulator.time() < scenario.duration; ++steps) {
     const FollowerOutput output = follower.command(simulator.truth(), 0.0, Trust::kGood);
     simulator.step(limiter.limited(output.command, output.urgent, simulator.time_step()));
-    shadow += simulator.in_shadow() ? 1 : 0;
+    shadow += simulator.around().in_shadow ? 1 : 0;
   }
   EXPECT_GE(follower.route().rounds(), 2);
   EXPECT_GT(shadow, 0.25 * steps);
@@ -114,8 +114,8 @@ TEST(ShippedCanyon, HidesFewSatellitesAndSpoilsTheFix) {
     for (; simulator.time() < scenario.duration; ++steps) {
       const MotionCommand command = follower.command(simulator.truth(), 0.0, Trust::kGood).command;
       const Readings readings = simulator.step(command);
-      squares += simulator.in_shadow() ? 0.0 : simulator.bias().squaredNorm();
-      open += simulator.in_shadow() ? 0 : 1;
+      squares += simulator.around().in_shadow ? 0.0 : simulator.around().bias.squaredNorm();
+      open += simulator.around().in_shadow ? 0 : 1;
     }
     EXPECT_GE(follower.route().rounds(), 1);
     EXPECT_GT(open, 0.85 * steps);

@@ -49,6 +49,26 @@ TEST(SpoiltDrive, FaultsCountFromTheStartOfTheDrive) {
   EXPECT_EQ(out.odometry[30].speed, 2.0);
 }
 
+TEST(SpoiltDrive, SpoilsHeadingsAlone) {
+  Drive clean = drive();
+  const std::size_t others = clean.measurements.size();
+  for (int i = 0; i < 10; ++i) clean.measurements.push_back({Heading{kStart + i, 3.0, 0.01}, kStart + i});
+  FaultParameters faults;
+  faults.heading.resize(1);
+  faults.heading.front().kind = "offset";
+  faults.heading.front().size = 0.5;
+  const Drive out = spoilt(clean, faults, 1);
+  ASSERT_EQ(out.measurements.size(), others + 10U);
+  int turned = 0;
+  for (const RecordedMeasurement& recorded : out.measurements) {
+    const auto* heading = std::get_if<Heading>(&recorded.measurement);
+    if (heading == nullptr) continue;
+    EXPECT_NEAR(heading->yaw, wrap_angle(3.5), 1e-12);
+    ++turned;
+  }
+  EXPECT_EQ(turned, 10);
+}
+
 TEST(SpoiltDrive, SpoilsYawRatesAndVelocities) {
   Drive clean = drive();
   GnssVelocity velocity;

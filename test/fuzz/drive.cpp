@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 std::string unpacked(const std::string& bytes) {
   static const TemporaryFolder folder;
   for (const auto& old : fs::directory_iterator(folder.path())) fs::remove(old);
-  for (const std::string name :
-       {"fix.csv", "odometry.csv", "pseudoranges.csv", "truth.csv", "gyro.csv", "velocity.csv"}) {
+  for (const std::string name : {"fix.csv", "odometry.csv", "pseudoranges.csv", "truth.csv", "gyro.csv",
+                                 "velocity.csv", "heading.csv"}) {
     const std::string title = "== " + name + "\n";
     const std::size_t begin = bytes.find(title);
     if (begin == std::string::npos) continue;
@@ -52,6 +52,10 @@ void check(const PseudorangeEpoch& epoch) {
 void check(const GnssVelocity& velocity) {
   require_finite(velocity.stamp, "a velocity's stamp");
   require(velocity.velocity.allFinite() && velocity.covariance.allFinite(), "a velocity is not finite");
+}
+
+void check(const Heading& heading) {
+  require_finite(heading.stamp + heading.yaw + heading.variance + heading.turn, "a heading");
 }
 
 void check(const Drive& drive) {

@@ -31,12 +31,13 @@ TEST(LastAccepted, KeepsTheLatestStampOfAll) {
   EXPECT_EQ(accepted.kind(), "pseudoranges");
 }
 
-TEST(LastAccepted, AVelocityTellsNoPosition) {
+TEST(LastAccepted, VelocitiesAndHeadingsTellNoPosition) {
   LastAccepted accepted;
   accepted.note(fix_at(5.0));
   GnssVelocity velocity;
   velocity.stamp = 9.0;
   accepted.note(velocity);
+  accepted.note(Heading{9.0, 0.0, 0.01});
   EXPECT_EQ(accepted.stamp(), 5.0);
 }
 

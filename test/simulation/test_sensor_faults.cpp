@@ -23,7 +23,7 @@ SensorFaults faults(const std::string& kind, double size = 0.0) {
 }
 
 TEST(SensorFaults, LeaveAloneWhatIsOutsideTheirTime) {
-  for (const char* kind : {"silent", "frozen", "reversed", "noisy", "late", "not_finite"}) {
+  for (const char* kind : {"silent", "frozen", "reversed", "offset", "noisy", "late", "not_finite"}) {
     SensorFaults spoiling = faults(kind, 1.0);
     for (const double stamp : {105.0, 116.0}) {
       const auto spoilt = spoiling.spoil(stamp, kTold);
@@ -38,6 +38,7 @@ TEST(SensorFaults, SpoilByTheirKind) {
   EXPECT_FALSE(faults("silent").spoil(112.0, kTold));
   EXPECT_EQ(faults("reversed").spoil(112.0, kTold)->value, -kTold);
   EXPECT_EQ(faults("late", 0.5).spoil(112.0, kTold)->delay, 0.5);
+  EXPECT_EQ(faults("offset", 0.5).spoil(112.0, kTold)->value, kTold + Eigen::Vector3d::Constant(0.5));
   EXPECT_TRUE(std::isnan(faults("not_finite").spoil(112.0, kTold)->value.z()));
   SensorFaults frozen = faults("frozen");
   frozen.spoil(112.0, kTold);

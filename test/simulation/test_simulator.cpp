@@ -36,8 +36,8 @@ std::vector<double> run(const SimulatorParameters& parameters, std::uint64_t see
   std::vector<double> all;
   for (int i = 0; i < 2000; ++i) {
     const Readings readings = simulator.step({1.0, 0.1});
-    all.insert(all.end(),
-               {simulator.truth().x, simulator.truth().y, simulator.truth().yaw, simulator.bias().x()});
+    all.insert(all.end(), {simulator.truth().x, simulator.truth().y, simulator.truth().yaw,
+                           simulator.around().bias.x()});
     if (readings.odometry) all.insert(all.end(), {readings.odometry->speed, readings.odometry->yaw_rate});
     for (const GnssFix& fix : fixes_of(readings))
       all.insert(all.end(), {fix.stamp, fix.position.x(), fix.position.y()});
@@ -112,10 +112,10 @@ TEST(Simulator, ShadowBeginsWhereTheAntennaEntersIt) {
   parameters.robot.start_x = 0.5;
   parameters.robot.start_yaw = 3.14159265358979;
   const Simulator entered(parameters, 1);
-  EXPECT_TRUE(entered.in_shadow());
-  EXPECT_NEAR(entered.bias().norm(), 0.5, 1e-9);
+  EXPECT_TRUE(entered.around().in_shadow);
+  EXPECT_NEAR(entered.around().bias.norm(), 0.5, 1e-9);
   parameters.robot.start_yaw = 0.0;
-  EXPECT_FALSE(Simulator(parameters, 1).in_shadow());
+  EXPECT_FALSE(Simulator(parameters, 1).around().in_shadow);
 }
 
 TEST(Simulator, OfOverlappingZonesTheFirstCounts) {
@@ -123,7 +123,7 @@ TEST(Simulator, OfOverlappingZonesTheFirstCounts) {
   parameters.zones.resize(2);
   parameters.zones[0].bias_cap = 1.0;
   parameters.robot.start_x = -10.0;
-  EXPECT_NEAR(Simulator(parameters, 1).bias().norm(), 1.0, 1e-12);
+  EXPECT_NEAR(Simulator(parameters, 1).around().bias.norm(), 1.0, 1e-12);
 }
 
 TEST(Simulator, FixesCarryTheBiasOfWhereTheyWereTaken) {
@@ -177,7 +177,7 @@ TEST(Simulator, BySatellitesItHandsOutPseudorangesAndFixes) {
       const auto* fix = std::get_if<GnssFix>(&measurement);
       if (fix == nullptr) continue;
       ++fixes;
-      EXPECT_LT((fix->position - simulator.truth().position() - simulator.bias()).norm(), 1e-9);
+      EXPECT_LT((fix->position - simulator.truth().position() - simulator.around().bias).norm(), 1e-9);
     }
   }
   EXPECT_EQ(epochs, 40);

@@ -58,6 +58,15 @@ enum class FixStatus {
   kGroundBased = 2,     ///< differential or RTK
 };
 
+/// How well a receiver has solved a fix, by its own word: which of its error laws holds.
+enum class FixLevel {
+  kUntold,
+  kSingle,        ///< without corrections
+  kDifferential,  ///< by corrected code
+  kFloat,         ///< by carrier phase, ambiguities as they come out
+  kFixed,  ///< by carrier phase, ambiguities whole numbers: centimetres, or wrong by decimetres and more
+};
+
 /// A position from a GNSS receiver, in the ENU map frame.
 struct GnssFix {
   double stamp = 0.0;                                         ///< time of measurement [s]
@@ -65,6 +74,7 @@ struct GnssFix {
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();   ///< as declared by the receiver [m^2]
   Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
   FixStatus status = FixStatus::kSingle;                      ///< as claimed by the receiver
+  FixLevel level = FixLevel::kUntold;                         ///< the same, where it tells more
   std::size_t receiver = 0;                                   ///< whose fix it is, where a robot has several
 };
 
@@ -111,11 +121,19 @@ struct GnssVelocity {
   Eigen::Vector2d antenna_in_base = Eigen::Vector2d::Zero();  ///< lever arm [m]
 };
 
+/// Where the base points, by a compass or the baseline of a receiver's two antennas.
+struct Heading {
+  double stamp = 0.0;     ///< time of measurement [s]
+  double yaw = 0.0;       ///< of the base in map, counter-clockwise from east [rad]
+  double variance = 0.0;  ///< as declared [rad^2]
+  double turn = 0.0;      ///< of the base since the stamp, counter-clockwise [rad]
+};
+
 /// What an estimator can be updated with.
-using Measurement = std::variant<GnssFix, DualAntennaFix, PseudorangeEpoch, GnssVelocity>;
+using Measurement = std::variant<GnssFix, DualAntennaFix, PseudorangeEpoch, GnssVelocity, Heading>;
 
 /// Index of each kind in Measurement.
-constexpr std::size_t kFixKind = 0, kDualKind = 1, kEpochKind = 2, kVelocityKind = 3;
+constexpr std::size_t kFixKind = 0, kDualKind = 1, kEpochKind = 2, kVelocityKind = 3, kHeadingKind = 4;
 
 double stamp_of(const Measurement& measurement);
 
@@ -124,7 +142,8 @@ using BaseThen = std::function<std::optional<Pose2>(double stamp)>;
 
 /// The measurement as if its antennas sat on the base of now, the lever arm of each carried back to where it
 /// was at its stamp: what was measured then constrains the pose of now. A velocity stays what it was at its
-/// stamp. Nothing where `base_then` knows none.
+/// stamp, and so does a heading, beside which the turn since then is noted. Nothing where `base_then` knows
+/// none.
 std::optional<Measurement> carried_back(Measurement measurement, const BaseThen& base_then);
 
 }  // namespace multipath_localization

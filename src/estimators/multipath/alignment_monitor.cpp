@@ -13,17 +13,17 @@ constexpr double kLostYaw = 0.5;  // sigma of one that cannot: twice, so that th
 constexpr double kConfirmingWay =
     10.0;  // a metre of error of a fix is a known heading's sigma over half of it [m]
 
-constexpr double kWayByVelocity =
-    1.0;  // a heading that velocities tell wants no more than that they go on doing so [m]
+constexpr double kWayIfTold =
+    1.0;  // a heading that velocities or headings tell wants no more than that they go on doing so [m]
 
 }  // namespace
 
 AlignmentMonitor::AlignmentMonitor(bool confirmed)
     : way_(confirmed ? kConfirmingWay : 0.0), wanted_(kConfirmingWay), aligned_(confirmed) {}
 
-void AlignmentMonitor::update(double way, double yaw_variance, bool by_velocity) {
+void AlignmentMonitor::update(double way, double yaw_variance, bool told) {
   way_ += way;
-  wanted_ = by_velocity ? kWayByVelocity : kConfirmingWay;
+  wanted_ = told ? kWayIfTold : kConfirmingWay;
   aligned_ = (aligned_ || way_ >= wanted_) && yaw_variance < square(aligned_ ? kLostYaw : kKnownYaw);
 }
 

@@ -9,9 +9,9 @@ class AlignmentMonitor {
   /// Starts at a pose that counts as confirmed, or at none or a doubtful one.
   explicit AlignmentMonitor(bool confirmed);
 
-  /// Fixes were weighed over a way of `way` [m]; the heading has that variance [rad^2] now, and velocities of
-  /// a receiver have told it or not.
-  void update(double way, double yaw_variance, bool by_velocity);
+  /// Fixes were weighed over a way of `way` [m]; the heading has that variance [rad^2] now, and velocities
+  /// of a receiver or headings have told it or not.
+  void update(double way, double yaw_variance, bool told);
 
   [[nodiscard]] bool aligned() const { return aligned_; }
   /// Driving that is wanted at least until then [m].

@@ -15,20 +15,6 @@ constexpr double kShiftedHeadingVariance = 0.01;  // [rad^2]
 constexpr double kRestNoise = 0.003;   // of a gyro at rest with a running engine beside it [rad/sqrt(s)]
 constexpr double kImuBiasWalk = 2e-5;  // of a cheap gyro while it warms up [rad/s/sqrt(s)]
 
-/// Kalman correction by one component of the state, measured with that variance.
-void observe(Hypothesis& h, StateIndex index, double value, double variance) {
-  const State PH = h.covariance.col(index);
-  const double S = PH(index) + variance;
-  const double innovation = value - h.mean(index);
-  if (!h.others.errors.empty()) {
-    h.others.correct(State::Unit(index).transpose(), PH / S, Eigen::Matrix<double, 1, 1>(S),
-                     Eigen::Matrix<double, 1, 1>(innovation));
-  }
-  h.mean += PH * (innovation / S);
-  h.mean(kYaw) = wrap_angle(h.mean(kYaw));
-  h.covariance -= (PH * PH.transpose() / S).eval();
-}
-
 }  // namespace
 
 void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noise) {
@@ -73,8 +59,15 @@ void Hypothesis::renew_heading(double yaw, double variance) {
   others.cross.row(kYaw).setZero();
 }
 
+void Hypothesis::change_level(FixLevel from, FixLevel to, RandomStream& random) {
+  const double slow_before = law.slow_sigma();
+  static_cast<FixLaw&>(law) = level_laws.change(from, to, law, random);
+  level *= slow_before / law.slow_sigma();
+}
+
 void Hypothesis::adopt(const Hypothesis& other) {
   law = other.law;
+  level_laws = other.level_laws;
   constexpr int n = kOdometryErrors;
   mean.segment<n>(kScale) = other.mean.segment<n>(kScale);
   covariance.block<n, n>(kScale, kScale) = other.covariance.block<n, n>(kScale, kScale);
@@ -125,6 +118,28 @@ void Hypothesis::correct(const GnssFix& fix, const Eigen::Matrix2d& noise) {
   mean(kYaw) = wrap_angle(mean(kYaw));
   covariance -= K * PH.transpose();
   covariance = (0.5 * (covariance + covariance.transpose())).eval();
+}
+
+void observe(Hypothesis& h, StateIndex index, double value, double variance) {
+  const State PH = h.covariance.col(index);
+  const double S = PH(index) + variance;
+  const double innovation = value - h.mean(index);
+  h.others.correct(State::Unit(index).transpose(), PH / S, Eigen::Matrix<double, 1, 1>(S),
+                   Eigen::Matrix<double, 1, 1>(innovation));
+  h.mean += PH * (innovation / S);
+  h.mean(kYaw) = wrap_angle(h.mean(kYaw));
+  h.covariance -= (PH * PH.transpose() / S).eval();
+}
+
+void take_heading(Hypothesis& h, double yaw, double variance, const Eigen::Vector2d& from_start) {
+  h.mean.head<2>() += (rotation(yaw) - rotation(h.mean(kYaw))) * from_start;
+  h.renew_heading(yaw, variance);
+  const Eigen::Vector2d way = rotation(yaw) * from_start;
+  const Eigen::Vector2d by_yaw(-way.y(), way.x());
+  h.covariance.topLeftCorner<2, 2>() += variance * by_yaw * by_yaw.transpose();
+  h.covariance.block<2, 1>(kX, kYaw) = variance * by_yaw;
+  h.covariance.block<1, 2>(kYaw, kX) = variance * by_yaw.transpose();
+  h.velocity.seeks_course = false;
 }
 
 void lose(Hypothesis& h, double variance, RandomStream& random) {

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 
 #include "estimators/multipath/error_laws.hpp"
+#include "estimators/multipath/heading_law.hpp"
+#include "estimators/multipath/level_laws.hpp"
 #include "estimators/multipath/odometry_sum.hpp"
 #include "estimators/multipath/other_receivers.hpp"
 #include "estimators/multipath/state.hpp"
@@ -26,11 +28,13 @@ struct Hypothesis {
   StateCovariance covariance = StateCovariance::Zero();
   double log_weight = 0.0;
   ErrorLaw law;
+  LevelLaws level_laws;
   double level = 0.0;  ///< declared sigma that the slow error refers to [m]
   bool in_shadow = false;
   ShadowLaw shadow_law;
   WheelFault wheel_fault;
   VelocityLaw velocity;
+  HeadingLaw heading;
   OtherReceivers others;
 
   [[nodiscard]] Pose2 pose() const { return pose_of(mean); }
@@ -42,6 +46,10 @@ struct Hypothesis {
 
   /// Forgets the heading: it is `yaw` [rad] with variance `variance`, correlated with nothing.
   void renew_heading(double yaw, double variance);
+
+  /// The receiver goes on at another level, with a law of its own; the slow error stays as large until the
+  /// next fix.
+  void change_level(FixLevel from, FixLevel to, RandomStream& random);
 
   /// Takes over what another one holds of the errors of this receiver and this robot: law and constants of
   /// the odometry.
@@ -60,6 +68,13 @@ void decay(Hypothesis& hypothesis, StateIndex first, double keep, double varianc
 /// Loses the position, of which the variance of an axis grows by that [m^2], and the heading, which is any or
 /// unsure.
 void lose(Hypothesis& hypothesis, double variance, RandomStream& random);
+
+/// Kalman correction by one component of the state, measured with that variance.
+void observe(Hypothesis& hypothesis, StateIndex index, double value, double variance);
+
+/// Gives a hypothesis whose heading was any a heading [rad] of that variance [rad^2], and turns it about
+/// where the antenna was at the start: the base is `from_start` from there, in its own frame [m].
+void take_heading(Hypothesis& hypothesis, double yaw, double variance, const Eigen::Vector2d& from_start);
 
 /// Holds the fixes right and the position wrong by the bias of the shadow, which is none then.
 void move_by_bias(Hypothesis& hypothesis);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "estimators/multipath/wheel_fault.hpp"
 #include "multipath_localization/core/covariance.hpp"
@@ -26,7 +27,8 @@ constexpr double kGapTurnRate = 0.3;           // while odometry is missing, tur
 constexpr double kMostGapTurn = 3.0;           // [rad]
 constexpr double kGapYawVariance = 0.01;       // of each hypothesis then [rad^2]
 constexpr double kHeadingReach = 0.6;          // [rad]
-constexpr std::uint32_t kResampling = 0xFFFFFFFEU;  // a random stream beside those of the particles
+constexpr std::uint64_t kLevelSeed = 0x8EBC6AF09C88C6E3U;  // draws that receivers without levels do not take
+constexpr std::uint32_t kResampling = 0xFFFFFFFEU;         // a random stream beside those of the particles
 
 /// Lets the weights sum up to one.
 void normalise(std::vector<Hypothesis>& hypotheses) {
@@ -78,7 +80,23 @@ double weigh_by(const std::vector<Evidence>& evidence, double tempered, bool sta
   return expected;
 }
 
+/// Lets the hypotheses go on with the laws of the level that a receiver tells, if it is another one.
+void follow_level(FixLevel level, FixLevel& told, std::vector<Hypothesis>& hypotheses, std::uint64_t seed,
+                  std::uint32_t step) {
+  if (level == FixLevel::kUntold) return;
+  const FixLevel before = std::exchange(told, level);
+  if (before == level || before == FixLevel::kUntold) return;
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    RandomStream random(seed ^ kLevelSeed, step, static_cast<std::uint32_t>(i));
+    hypotheses[i].change_level(before, level, random);
+  }
+}
+
 }  // namespace
+
+OdometryErrors Mixture::odometry_errors() const {
+  return {mean(kScale), mean(kGyroBias), mean(kTurnScale), mean(kCurvature), mean(kImuBias)};
+}
 
 double evidence_share(const Mixture& mixture, double duration) {
   const double time = kOpenEvidenceTime + (kShadowEvidenceTime - kOpenEvidenceTime) * mixture.shadow;
@@ -90,7 +108,8 @@ void HypothesisCloud::clear() {
   mixture_ = {};
   receivers_ = {};
   step_ = 0;
-  velocity_step_ = 0;
+  aid_step_ = 0;
+  aids_ = {};
 }
 
 void HypothesisCloud::propagate(const OdometrySum& odometry) {
@@ -134,6 +153,7 @@ double HypothesisCloud::weigh(Sighting sighting) {
   if (changed) level = sigma;
   sighting.level = *level;
   ++step_;
+  follow_level(sighting.fix.level, receivers_.told, hypotheses_, seed_, step_);
   std::vector<Evidence> evidence(hypotheses_.size());
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
     RandomStream random(seed_, step_, static_cast<std::uint32_t>(i));
@@ -163,19 +183,20 @@ void HypothesisCloud::take_in(const HypothesisCloud& other, double share) {
   resample(count);
 }
 
-void HypothesisCloud::resample() {
+void HypothesisCloud::resample(std::optional<std::size_t> wanted) {
+  const auto particles = static_cast<std::size_t>(settings_.particles);
   const bool settled = mixture_.covariance(2, 2) < kKnownHeadingVariance;
   const std::size_t most = hypotheses_.size();
-  const auto wanted = static_cast<std::size_t>(settings_.particles);
-  const std::size_t count = settled ? wanted : std::max(most, wanted);
+  const std::size_t count = wanted.value_or(settled ? particles : std::max(most, particles));
   const bool effective = mixture_.effective_size > kLeastEffective * static_cast<double>(count);
-  if (effective && (count == most || (velocity_step_ > 0 && settled && most <= kMostBesides * wanted)))
-    return;
-  resample(count);
-}
-
-void HypothesisCloud::resample(std::size_t count) {
-  if (velocity_step_ > 0) return resample_by_kind(count);
+  const bool enough = count == most || (aids_.any() && settled && most <= kMostBesides * particles);
+  if (!wanted && effective && enough) return;
+  if (aids_.any()) {
+    RandomStream random(seed_ ^ kAidSeed, aid_step_ + step_, kResampling);
+    const bool agreed = mixture_.covariance(2, 2) < kAgreedVariance;
+    hypotheses_ = drawn_by_kind(hypotheses_, aids_, agreed, count, random);
+    return refresh();
+  }
   std::vector<double> weights;
   weights.reserve(hypotheses_.size());
   for (const Hypothesis& h : hypotheses_) weights.push_back(std::exp(h.log_weight));
@@ -190,13 +211,15 @@ void HypothesisCloud::refresh() {
   Mixture m;
   m.covariance.setZero();
   Eigen::Vector3d log_noise = Eigen::Vector3d::Zero();
-  Eigen::Vector2d heading = Eigen::Vector2d::Zero();
+  Eigen::Vector2d direction = Eigen::Vector2d::Zero();
+  double velocity = 0.0;
+  double heading = 0.0;
   double squares = 0.0;
   for (const Hypothesis& h : hypotheses_) {
     const double w = std::exp(h.log_weight);
     squares += square(w);
     m.mean += w * h.mean;
-    heading += w * Eigen::Vector2d(std::cos(h.mean(kYaw)), std::sin(h.mean(kYaw)));
+    direction += w * Eigen::Vector2d(std::cos(h.mean(kYaw)), std::sin(h.mean(kYaw)));
     m.bias += w * h.bias();
     log_noise += w * Eigen::Vector3d(h.law.log_way, h.law.log_turn, h.law.log_gyro);
     m.white_variance +=
@@ -204,9 +227,12 @@ void HypothesisCloud::refresh() {
     m.slow_variance += w * square(h.law.slow_sigma() * h.level);
     m.shadow += h.in_shadow ? w : 0.0;
     m.wheel_fault += h.wheel_fault.any() ? w : 0.0;
-    m.velocity += h.velocity.believed && !h.velocity.outlier ? w : 0.0;
+    velocity += h.velocity.believed && !h.velocity.outlier ? w : 0.0;
+    heading += h.heading.believed && !h.heading.outlier ? w : 0.0;
   }
-  m.mean(kYaw) = std::atan2(heading.y(), heading.x());
+  if (aids_.velocity) m.velocity = velocity;
+  if (aids_.heading) m.heading = heading;
+  m.mean(kYaw) = std::atan2(direction.y(), direction.x());
   m.odometry_noise = {std::exp(2.0 * log_noise(0)), std::exp(2.0 * log_noise(1)),
                       std::exp(2.0 * log_noise(2))};
   m.effective_size = 1.0 / squares;

@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "estimators/multipath/aids.hpp"
 #include "estimators/multipath/explanations.hpp"
+#include "estimators/multipath/heading_block.hpp"
 #include "estimators/multipath/hypothesis.hpp"
 #include "estimators/multipath/receiver_roster.hpp"
 #include "estimators/multipath/velocity_block.hpp"
@@ -31,10 +33,11 @@ struct Mixture {
   double white_variance = 0.0;  ///< of a fix, an axis [m^2]
   double slow_variance = 0.0;   ///< of the slow error of a fix, an axis [m^2]
   NoiseFactors odometry_noise;
-  double shadow = 0.0;       ///< probability of a shadow
-  double wheel_fault = 0.0;  ///< probability of wheels that fail
-  double velocity = 0.0;     ///< probability that the last velocities of a receiver are what they seem
-  double agreement = 1.0;    ///< weight of those within kHeadingReach of the mean heading
+  double shadow = 0.0;             ///< probability of a shadow
+  double wheel_fault = 0.0;        ///< probability of wheels that fail
+  std::optional<double> velocity;  ///< probability that the last velocities of a receiver are what they seem
+  std::optional<double> heading;   ///< likewise of the last headings
+  double agreement = 1.0;          ///< weight of those within kHeadingReach of the mean heading
   double effective_size = 1.0;
   std::vector<FixErrors> others;  ///< of the other receivers
 
@@ -42,10 +45,15 @@ struct Mixture {
   [[nodiscard]] double least_shadow() const;
   /// Likewise the smallest variance of a slow error [m^2].
   [[nodiscard]] double least_slow_variance() const;
+  [[nodiscard]] OdometryErrors odometry_errors() const;  ///< on average
 };
 
 /// How much of a fix `duration` [s] after the last one counts as evidence.
 double evidence_share(const Mixture& mixture, double duration);
+
+class HypothesisCloud;
+/// Puts what a cloud knows of the fixes of each receiver into an estimate.
+void tell_receivers(const HypothesisCloud& cloud, PoseEstimate& estimate);
 
 /// Of the k-th of the receivers that the hypotheses do not attend to.
 FixErrors errors_of_other(const std::vector<Hypothesis>& hypotheses, std::size_t k);
@@ -88,6 +96,10 @@ class HypothesisCloud {
   double weigh(Sighting sighting);
   /// Weighs velocities among the hypotheses that believe them, equation (21).
   void weigh(const VelocitySighting& sighting);
+  /// Weighs headings among the hypotheses that believe them, equation (24).
+  void weigh(const HeadingSighting& sighting);
+  /// Lets all hypotheses believe headings from now on, and take them to be off by about `offset` [rad].
+  void mount_heading(double offset);
 
   /// Takes in the hypotheses of another cloud as a `share` of the whole.
   void take_in(const HypothesisCloud& other, double share);
@@ -100,17 +112,15 @@ class HypothesisCloud {
 
  private:
   void spread(std::size_t count, double largest_bias);
-  void spread_about(const GnssFix& fix);
   void attend(const Sighting& sighting);
   void refresh();
-  void resample();
-  void resample(std::size_t count);
-  void resample_by_kind(std::size_t count);
+  void resample(std::optional<std::size_t> wanted = {});
 
   CloudSettings settings_;
   std::uint64_t seed_;
   std::uint32_t step_ = 0;
-  std::uint32_t velocity_step_ = 0;  ///< 0 without a velocity
+  std::uint32_t aid_step_ = 0;
+  Aids aids_;
   std::vector<Hypothesis> hypotheses_;
   Mixture mixture_;
   ReceiverRoster receivers_;

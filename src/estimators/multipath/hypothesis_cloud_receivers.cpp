@@ -66,6 +66,18 @@ FixErrors HypothesisCloud::errors_of(std::size_t receiver) const {
   return place < mixture_.others.size() ? mixture_.others[place] : FixErrors{};
 }
 
+void tell_receivers(const HypothesisCloud& cloud, PoseEstimate& estimate) {
+  const std::vector<std::size_t> known = cloud.receivers().known();
+  const FixErrors first = cloud.errors_of(known.empty() ? 0 : known.front());
+  estimate.bias = first.bias;
+  estimate.bias_covariance = first.bias_covariance;
+  if (known.size() < 2) return;
+  for (const std::size_t receiver : known) {
+    const FixErrors errors = cloud.errors_of(receiver);
+    estimate.receivers.push_back({receiver, errors.shadow, errors.bias});
+  }
+}
+
 /// Lets the state of each hypothesis hold the errors of the receiver of a fix.
 void HypothesisCloud::attend(const Sighting& sighting) {
   const std::size_t receiver = sighting.fix.receiver;
@@ -85,7 +97,8 @@ void HypothesisCloud::attend(const Sighting& sighting) {
       multipath::attend(h, place);
     }
     others[place] = {*std::exchange(receivers_.attended, receiver),
-                     std::exchange(receivers_.level, others[place].level), sighting.unseen()};
+                     std::exchange(receivers_.level, others[place].level), sighting.unseen(),
+                     std::exchange(receivers_.told, others[place].told)};
     refresh();
   }
   const auto silent = std::find_if(others.begin(), others.end(), [](const ReceiverRoster::Other& other) {

@@ -39,6 +39,15 @@ double ring_heading(double centre, double half, std::size_t k) {
 
 double ring_sigma(double half) { return kRingSpacing * 2.0 * half / kHeadings; }
 
+/// Places hypotheses about a fix, with headings all round the circle.
+void spread_about(const GnssFix& fix, std::vector<Hypothesis>& hypotheses) {
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    hypotheses[i].renew_heading(ring_heading(0.0, kPi, i % kHeadings), square(ring_sigma(kPi)));
+    hypotheses[i].velocity.seeks_course = true;
+    hypotheses[i].place_at(fix);
+  }
+}
+
 }  // namespace
 
 void HypothesisCloud::spread(std::size_t count, double largest_bias) {
@@ -64,20 +73,12 @@ void HypothesisCloud::spread(std::size_t count, double largest_bias) {
   ++step_;
 }
 
-void HypothesisCloud::spread_about(const GnssFix& fix) {
-  for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    hypotheses_[i].renew_heading(ring_heading(0.0, kPi, i % kHeadings), square(ring_sigma(kPi)));
-    hypotheses_[i].velocity.seeks_course = true;
-    hypotheses_[i].place_at(fix);
-  }
-  refresh();
-}
-
 void HypothesisCloud::start(const GnssFix& fix) {
-  receivers_ = {fix.receiver, mean_sigma(fix.covariance), {}};
+  receivers_ = {fix.receiver, mean_sigma(fix.covariance), fix.level, {}};
   spread(std::max(static_cast<std::size_t>(settings_.particles), kHeadings * kLawsPerHeading),
          kLargestStartBias);
-  spread_about(fix);
+  spread_about(fix, hypotheses_);
+  refresh();
 }
 
 void HypothesisCloud::start(const GnssFix& fix, const HypothesisCloud& learnt, double largest_bias) {
@@ -91,7 +92,8 @@ void HypothesisCloud::start(const GnssFix& fix, const HypothesisCloud& learnt, d
     if (as_learnt) hypotheses_[i].adopt(teacher);
     for (const ReceiverErrors& errors : teacher.others.errors) add_receiver(hypotheses_[i], errors);
   }
-  spread_about(fix);
+  spread_about(fix, hypotheses_);
+  refresh();
 }
 
 void HypothesisCloud::start(const PosePrior& prior) {

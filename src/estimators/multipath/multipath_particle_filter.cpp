@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "estimators/multipath/alignment_monitor.hpp"
+#include "estimators/multipath/common_error.hpp"
+#include "estimators/multipath/heading_block.hpp"
+#include "estimators/multipath/heading_offset.hpp"
 #include "estimators/multipath/hypothesis_cloud.hpp"
 #include "estimators/multipath/prediction.hpp"
 #include "estimators/multipath/receiver_watches.hpp"
@@ -18,20 +21,14 @@ namespace multipath_localization {
 
 namespace {
 
-constexpr double kLongestSum = 1.0;        ///< odometry is linearised over at most this long [s]
-constexpr double kCorrectedMemory = 60.0;  ///< of odometry for a position that corrected fixes gave [s]
-constexpr double kVelocityBlock = 0.9;     ///< velocities within it are one, below a receiver's second [s]
-constexpr double kBelieved = 0.9;          ///< probability of velocities that tell a heading at once
+constexpr double kLongestSum = 1.0;  ///< odometry is linearised over at most this long [s]
+constexpr double kBlock = 0.9;  ///< velocities or headings within it are one, below a receiver's second [s]
+constexpr double kBelieved = 0.9;  ///< probability of velocities or headings that tell a heading at once
 constexpr std::uint64_t kRivalSeed = 0x9E3779B97F4A7C15U;  ///< its draws are not those of the cloud
 constexpr double kLeastSigma = 1e-3;  ///< no receiver is better than that, whatever it declares [m]
 
 multipath::CloudSettings cloud_settings(const MultipathParticleFilterParameters& parameters) {
   return {parameters.particles, parameters.odometry, parameters.turn_scale_sigma};
-}
-
-multipath::OdometryErrors errors_of(const multipath::State& mean) {
-  return {mean(multipath::kScale), mean(multipath::kGyroBias), mean(multipath::kTurnScale),
-          mean(multipath::kCurvature), mean(multipath::kImuBias)};
 }
 
 /// As declared, but positive definite.
@@ -54,11 +51,18 @@ struct MultipathParticleFilter::State {
   /// The pose of now in that of when the hypotheses were last moved.
   [[nodiscard]] Pose2 moved() const { return multipath::moved(odometry); }
   Innovation take(const GnssVelocity& velocity) {
-    Innovation result = refused(velocities.add(velocity).value_or(Reason::kAccepted));
-    if (velocities_due()) weigh_velocities();
-    const bool contradicted = velocities_weighed && cloud.mixture().velocity < 0.5;
-    if (result.accepted() && contradicted) result.reason = Reason::kGated;
-    return result;
+    const std::optional<Reason> defect = velocities.add(velocity);
+    if (due(velocities)) weigh_velocities();
+    return answer(defect, cloud.mixture().velocity);
+  }
+  Innovation take(const Heading& heading) {
+    const std::optional<Reason> defect = headings.add(heading);
+    if (due(headings)) weigh_headings();
+    return answer(defect, cloud.mixture().heading);
+  }
+  /// To what another input than the fixes told, which is what it seems with that probability.
+  static Innovation answer(std::optional<Reason> defect, std::optional<double> believed) {
+    return refused(defect.value_or(believed.value_or(1.0) < 0.5 ? Reason::kGated : Reason::kAccepted));
   }
   /// Takes the fixes that wait along to where the base is now.
   void carry_blocks() {
@@ -70,11 +74,12 @@ struct MultipathParticleFilter::State {
   void start(const GnssFix& fix, double uncorrected_sigma) {
     cloud.start(fix);
     velocities.start(fix.antenna_in_base);
-    note_corrections(fix, kCorrectedMemory, uncorrected_sigma);
+    common.begin(fix.status, uncorrected_sigma);
     last_weighed = now;
     receivers.begin(now);
     restart_odometry();
-    if (velocities_due()) weigh_velocities();
+    if (due(velocities)) weigh_velocities();
+    if (due(headings)) weigh_headings();
   }
   /// Moves the hypotheses on by the odometry so far.
   void flush() {
@@ -95,30 +100,34 @@ struct MultipathParticleFilter::State {
                           odometry.turns_by_gyro());
   }
   void restart_odometry() {
-    odometry.restart(errors_of(cloud.mixture().mean));
+    odometry.restart(cloud.mixture().odometry_errors());
     blocks_moved = Pose2{};
   }
-  /// What is known of the fixes of each receiver.
-  void tell_receivers(PoseEstimate& estimate) const;
   void weigh(multipath::ReceiverWatch& receiver, const MultipathParticleFilterParameters& parameters);
   /// What the wheels did since the last fix of any receiver.
   void judge_wheels(multipath::Sighting& sighting);
   void weigh_velocities();
+  void weigh_headings();
+  /// Weighs what another input than the fixes told.
+  template <class Sighting>
+  void weigh_beside(const Sighting& sighting) {
+    doubt_wheels();
+    flush();
+    cloud.weigh(sighting);
+    restart_odometry();
+    judge_alignment(wheels.way());
+  }
   /// After that way since the last fixes were weighed [m].
   void judge_alignment(double way) {
     const multipath::Mixture& mixture = cloud.mixture();
-    alignment.update(way - counted_way, mixture.covariance(2, 2), mixture.velocity > kBelieved);
+    const bool told = mixture.velocity > kBelieved || mixture.heading > kBelieved;
+    alignment.update(way - counted_way, mixture.covariance(2, 2), told);
     counted_way = way;
   }
-  /// Whether the velocities that wait are to be weighed now: at once while they tell the heading.
-  [[nodiscard]] bool velocities_due() const {
-    return !cloud.empty() && !velocities.empty() &&
-           (velocities.age() >= kVelocityBlock || !alignment.aligned());
-  }
-  /// A position is known as well as corrections make it, and for a while after they are gone.
-  void note_corrections(const GnssFix& fix, double duration, double uncorrected_sigma) {
-    const double variance = fix.status == FixStatus::kSingle ? square(uncorrected_sigma) : 0.0;
-    common_variance = std::min(variance, common_variance + duration / kCorrectedMemory * variance);
+  /// Whether the velocities or headings that wait are to be weighed now: at once while they tell the heading.
+  template <class Block>
+  [[nodiscard]] bool due(const Block& block) const {
+    return !cloud.empty() && !block.empty() && (block.age() >= kBlock || !alignment.aligned());
   }
 
   multipath::HypothesisCloud cloud;
@@ -127,15 +136,16 @@ struct MultipathParticleFilter::State {
   multipath::OdometrySum odometry;  ///< since the hypotheses were last moved
   multipath::ReceiverWatches receivers;
   multipath::VelocityBlock velocities;
-  bool velocities_weighed = false;  ///< since the start
-  Pose2 blocks_moved;               ///< the part of `moved` that the fixes have been taken along
+  multipath::HeadingBlock headings;
+  multipath::HeadingOffset heading_offset;
+  Pose2 blocks_moved;  ///< the part of `moved` that the fixes have been taken along
   multipath::WheelWatch wheels;
   bool stood = false;  ///< the wheels, before the fix that was weighed last
   double now = 0.0;
-  double last_weighed = 0.0;     ///< a fix of any receiver
-  double common_variance = 0.0;  ///< of what all fixes are off by alike, an axis [m^2]
-  double counted_way = 0.0;      ///< of the wheels', by the alignment [m]
-  double speed = 0.0;            ///< of the last increment, over ground [m/s]
+  double last_weighed = 0.0;  ///< a fix of any receiver
+  multipath::CommonError common;
+  double counted_way = 0.0;  ///< of the wheels', by the alignment [m]
+  double speed = 0.0;        ///< of the last increment, over ground [m/s]
 };
 
 void MultipathParticleFilter::State::judge_wheels(multipath::Sighting& sighting) {
@@ -164,35 +174,26 @@ void MultipathParticleFilter::State::weigh(multipath::ReceiverWatch& receiver,
   sighting.largest_bias = parameters.largest_bias;
   sighting.shadow_entry_rate = 1.0 / parameters.time_between_shadows;
   rival.weigh(sighting, cloud.weigh(sighting), cloud);
-  note_corrections(sighting.fix, sighting.unseen(), parameters.uncorrected_sigma);
+  common.go_on(sighting.fix.status, sighting.unseen(), parameters.uncorrected_sigma);
   last_weighed = now;
   restart_odometry();
   judge_alignment(way);
   counted_way = 0.0;
 }
 
-void MultipathParticleFilter::State::tell_receivers(PoseEstimate& estimate) const {
-  const std::vector<std::size_t> known = cloud.receivers().known();
-  const multipath::FixErrors first = cloud.errors_of(known.empty() ? 0 : known.front());
-  estimate.bias = first.bias;
-  estimate.bias_covariance = first.bias_covariance;
-  if (known.size() < 2) return;
-  for (const std::size_t receiver : known) {
-    const multipath::FixErrors errors = cloud.errors_of(receiver);
-    estimate.receivers.push_back({receiver, errors.shadow, errors.bias});
-  }
-}
-
 void MultipathParticleFilter::State::weigh_velocities() {
   auto sighting = velocities.take();
   if (!sighting) return;
   sighting->usual_speed = wheels.usual_speed();
-  doubt_wheels();
-  flush();
-  cloud.weigh(*sighting);
-  velocities_weighed = true;
-  restart_odometry();
-  judge_alignment(wheels.way());
+  weigh_beside(*sighting);
+}
+
+void MultipathParticleFilter::State::weigh_headings() {
+  multipath::HeadingSighting sighting = headings.take();
+  sighting.from_start = velocities.from_start();
+  weigh_beside(sighting);
+  if (now - last_weighed > multipath::kOutage) return;  // the odometry alone tells no offset
+  if (const auto offset = heading_offset.judge(sighting, cloud.mixture())) cloud.mount_heading(*offset);
 }
 
 MultipathParticleFilter::MultipathParticleFilter(const MultipathParticleFilterParameters& parameters,
@@ -221,6 +222,7 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
   state_->now = u.stamp;
   state_->speed = ground_speed(u);
   state_->velocities.move(state_->odometry.without_turn_errors(u));
+  state_->headings.move(state_->odometry.without_turn_errors(u));
   if (state_->cloud.empty()) return;
   state_->odometry.add(u);
   state_->wheels.add(u);
@@ -234,13 +236,13 @@ void MultipathParticleFilter::predict(const OdometryIncrement& u) {
 
 Innovation MultipathParticleFilter::update(const Measurement& z) {
   if (const auto* velocity = std::get_if<GnssVelocity>(&z)) return state_->take(*velocity);
+  if (const auto* heading = std::get_if<Heading>(&z)) return state_->take(*heading);
   const auto* declared = std::get_if<GnssFix>(&z);
   if (declared == nullptr) return refused(Reason::kUnused);
   multipath::ReceiverWatch& receiver = state_->receivers.of(declared->receiver, state_->last_weighed);
   if (const auto reason = receiver.defect(*declared)) return refused(*reason);
   const GnssFix fix = with_proper_covariance(*declared);
-  Innovation result;
-  result.reason = Reason::kAccepted;
+  Innovation result = refused(Reason::kAccepted);
   if (state_->cloud.empty()) {
     state_->start(fix, parameters_.uncorrected_sigma);
     return result;
@@ -272,7 +274,7 @@ PoseEstimate MultipathParticleFilter::estimate() const {
       rotation(result.pose.yaw).col(0) * parameters_.stamp_sigma * state_->speed;
   // The slow error may be one that stays for the whole drive, which nobody sees.
   result.covariance.topLeftCorner<2, 2>() +=
-      (square(parameters_.position_sigma_floor) + mixture.least_slow_variance() + state_->common_variance +
+      (square(parameters_.position_sigma_floor) + mixture.least_slow_variance() + state_->common.variance() +
        state_->receivers.least_doubt(state_->now)) *
           Eigen::Matrix2d::Identity() +
       between_stamps * between_stamps.transpose();
@@ -280,7 +282,7 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   result.dominance = mixture.agreement;
   result.shadow_probability = mixture.least_shadow();
   result.wheel_fault_probability = mixture.wheel_fault;
-  state_->tell_receivers(result);
+  tell_receivers(state_->cloud, result);
   result.effective_sample_size = mixture.effective_size;
   return result;
 }

@@ -46,7 +46,7 @@ class MultipathParticleFilter : public Estimator {
   void start(const std::optional<PosePrior>& prior) override;
   void predict(const OdometryIncrement& u) override;
   [[nodiscard]] bool uses(std::size_t kind) const override {
-    return kind == kFixKind || kind == kVelocityKind;
+    return kind == kFixKind || kind == kVelocityKind || kind == kHeadingKind;
   }
   Innovation update(const Measurement& z) override;
   void tune(ParameterVisitor& field) override;

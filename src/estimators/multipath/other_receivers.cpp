@@ -72,6 +72,7 @@ void attend(Hypothesis& h, std::size_t other) {
   joint.give_back(h, h.others.errors.size());
   ReceiverErrors& errors = h.others.errors[other];
   std::swap(static_cast<FixLaw&>(h.law), errors.law);
+  std::swap(h.level_laws, errors.level_laws);
   std::swap(h.level, errors.level);
   std::swap(h.in_shadow, errors.in_shadow);
   std::swap(h.shadow_law, errors.shadow_law);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "estimators/multipath/error_laws.hpp"
+#include "estimators/multipath/level_laws.hpp"
 #include "estimators/multipath/state.hpp"
 
 namespace multipath_localization::multipath {
@@ -12,6 +13,7 @@ namespace multipath_localization::multipath {
 /// What a hypothesis holds of the errors of a receiver beside its slow error and its bias.
 struct ReceiverErrors {
   FixLaw law;
+  LevelLaws level_laws;
   double level = 0.0;  ///< declared sigma that the slow error refers to [m]
   bool in_shadow = false;
   ShadowLaw shadow_law;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "multipath_localization/core/measurements.hpp"
+
 namespace multipath_localization::multipath {
 
 /// Which receivers the hypotheses of a cloud know: the one that they attend to, and the others in the order
@@ -14,10 +16,12 @@ struct ReceiverRoster {
     std::size_t receiver = 0;
     std::optional<double> level;
     double silence = 0.0;  ///< since its last fix [s]
+    FixLevel told = FixLevel::kUntold;
   };
 
   std::optional<std::size_t> attended;  ///< none before the first fix
   std::optional<double> level;          ///< declared sigma that holds, of the one attended to [m]
+  FixLevel told = FixLevel::kUntold;    ///< the last level that this one has told
   std::vector<Other> others;
 
   /// All of them, by number.

@@ -26,19 +26,27 @@ bool ReceiverWatch::overdue(double now) const { return !block_.empty() && now - 
 
 double ReceiverWatch::doubt(double now) const { return still_wrong(now - reacquired_) * square(wrong_by_); }
 
+bool ReceiverWatch::refixed(FixLevel level, double declared) const {
+  if (level == FixLevel::kUntold || level_ == FixLevel::kUntold) {
+    return declared < kFixed && declared_ > kFloat;
+  }
+  return level == FixLevel::kFixed && level_ != FixLevel::kFixed;
+}
+
 Sighting ReceiverWatch::take(double now, double yaw, double known) {
   Sighting sighting;
   fixes_in_block_ = static_cast<double>(block_.size());
   sighting.fix = block_.take(yaw);
   sighting.duration = std::max(kShortestTime, now - weighed_);
   const double declared = mean_sigma(sighting.fix.covariance);
-  sighting.refixed = declared < kFixed && declared_ > kFloat;
+  sighting.refixed = refixed(sighting.fix.level, declared);
   if (sighting.duration > kOutage || sighting.refixed) {
     reacquired_ = now;
     wrong_by_ = std::min(known, kMostWrong);
   }
   sighting.reacquired = now - reacquired_ < kSettling;
   declared_ = declared;
+  level_ = sighting.fix.level;
   weighed_ = now;
   return sighting;
 }

@@ -42,15 +42,19 @@ class ReceiverWatch {
   [[nodiscard]] double fixes_in_block() const { return fixes_in_block_; }
 
  private:
+  /// Whether it has fixed its ambiguities anew, by the level that it tells or else by what it declares.
+  [[nodiscard]] bool refixed(FixLevel level, double declared) const;
+
   static constexpr double kSettling = 5.0;  ///< a receiver that begins anew settles within this time [s]
 
   FixCheck check_;
   FixBlock block_;
-  double weighed_;                  ///< last [s]
-  double added_ = 0.0;              ///< the last fix [s]
-  double declared_ = 0.0;           ///< last [m]
-  double reacquired_ = -kSettling;  ///< when it began anew [s]
-  double wrong_by_ = 0.0;           ///< sigma of what it may have begun wrong by [m]
+  double weighed_;                      ///< last [s]
+  double added_ = 0.0;                  ///< the last fix [s]
+  double declared_ = 0.0;               ///< last [m]
+  FixLevel level_ = FixLevel::kUntold;  ///< last
+  double reacquired_ = -kSettling;      ///< when it began anew [s]
+  double wrong_by_ = 0.0;               ///< sigma of what it may have begun wrong by [m]
   double fixes_in_block_ = 1.0;
 };
 

@@ -39,6 +39,11 @@ void VelocityBlock::start(const Eigen::Vector2d& antenna_in_base) {
   way_ = 0.0;
 }
 
+std::optional<Eigen::Vector2d> VelocityBlock::from_start() const {
+  if (way_ >= kNearStart) return std::nullopt;
+  return Eigen::Vector2d(-antenna_at_start_.position());
+}
+
 std::optional<Reason> VelocityBlock::add(const GnssVelocity& velocity) {
   const bool finite = std::isfinite(velocity.stamp) && velocity.velocity.allFinite() &&
                       velocity.covariance.allFinite() && velocity.antenna_in_base.allFinite();
@@ -87,8 +92,9 @@ std::optional<VelocitySighting> VelocityBlock::take() {
   sighting.velocity /= sighting.count;
   sighting.variance /= sighting.count;
   for (Eigen::Vector2d& driven : sighting.driven) driven /= sighting.count;
-  sighting.near_start = way_ < kNearStart;
-  if (sighting.near_start) sighting.from_start = -antenna_at_start_.position();
+  const std::optional<Eigen::Vector2d> from = from_start();
+  sighting.near_start = from.has_value();
+  if (from) sighting.from_start = *from;
   if (stands(sighting)) return std::nullopt;
   return sighting;
 }

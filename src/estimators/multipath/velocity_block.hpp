@@ -37,6 +37,10 @@ class VelocityBlock {
   /// The hypotheses start here with the antenna there in the base.
   void start(const Eigen::Vector2d& antenna_in_base);
 
+  /// From where the antenna was at the start to the base of now, in the base of now [m]; nothing once that is
+  /// too far to turn a heading that was any about it.
+  [[nodiscard]] std::optional<Eigen::Vector2d> from_start() const;
+
   /// Takes a velocity: how unusable it is, or nothing.
   std::optional<Reason> add(const GnssVelocity& velocity);
 

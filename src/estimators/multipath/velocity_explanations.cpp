@@ -52,7 +52,6 @@ class VelocityExplainer {
 
  private:
   double draw(double log_good, double log_bad);
-  void take_course(double yaw, double variance);
   void correct(const Vector2d& error, const Vector2d& by_yaw, const Vector2d& by_scale,
                const Matrix2d& noise);
 
@@ -99,17 +98,6 @@ double VelocityExplainer::draw(double log_good, double log_bad) {
   return sum;
 }
 
-/// Turns a hypothesis whose heading was any about where the antenna was at the start.
-void VelocityExplainer::take_course(double yaw, double variance) {
-  h_.mean.head<2>() += (rotation(yaw) - rotation(h_.mean(kYaw))) * z_.from_start;
-  h_.renew_heading(yaw, variance);
-  const Vector2d by_yaw = perpendicular(rotation(yaw) * z_.from_start);
-  h_.covariance.topLeftCorner<2, 2>() += variance * by_yaw * by_yaw.transpose();
-  h_.covariance.block<2, 1>(kX, kYaw) = variance * by_yaw;
-  h_.covariance.block<1, 2>(kYaw, kX) = variance * by_yaw.transpose();
-  h_.velocity.seeks_course = false;
-}
-
 double VelocityExplainer::seek_course() {
   const double speed = z_.velocity.norm();
   const double faster = speed - foretold_.norm();
@@ -118,7 +106,7 @@ double VelocityExplainer::seek_course() {
   const double variance = h_.velocity.outlier ? noise_ + outlier_ : noise_;
   if (driven_.norm() > std::max(kLeastCourse, kCourseSigmas * std::sqrt(variance + square(faster)))) {
     const double course = std::atan2(z_.velocity.y(), z_.velocity.x());
-    take_course(course - std::atan2(driven_.y(), driven_.x()), variance / square(speed));
+    take_heading(h_, course - std::atan2(driven_.y(), driven_.x()), variance / square(speed), z_.from_start);
   }
   return log_speed - std::log(2.0 * kPi * std::max(speed, kLeastSigma));
 }

@@ -23,7 +23,7 @@ void BagCollector::take(const rosbag::MessageInstance& message) {
     shadows_[bias.header.stamp.toSec()] = bias.vector.z > 0.5;
   }
   if (topic == topics_.imu) add(read<sensor_msgs::Imu>(message));
-  if (topic == topics_.velocity) take_velocity(message);
+  if (topic == topics_.velocity || topic == topics_.heading) take_by_type(message);
   if (topic == topics_.fix) add(GnssMessage(ReceiverFix(read<sensor_msgs::NavSatFix>(message))));
   const auto more = std::find(topics_.more_fixes.begin(), topics_.more_fixes.end(), topic);
   if (more != topics_.more_fixes.end()) {
@@ -94,9 +94,14 @@ void BagCollector::add(const sensor_msgs::Imu& message) {
   yaw_rates_.push_back({checked.yaw_rate, arrival(checked.yaw_rate.stamp)});
 }
 
-void BagCollector::take_velocity(const rosbag::MessageInstance& message) {
-  if (message.getDataType() == ros::message_traits::datatype<geometry_msgs::TwistStamped>()) {
+void BagCollector::take_by_type(const rosbag::MessageInstance& message) {
+  const std::string& type = message.getDataType();
+  if (type == ros::message_traits::datatype<geometry_msgs::TwistStamped>()) {
     add(GnssMessage(without_covariance(read<geometry_msgs::TwistStamped>(message))));
+  } else if (type == ros::message_traits::datatype<sensor_msgs::Imu>()) {
+    add(GnssMessage(read<sensor_msgs::Imu>(message)));
+  } else if (type == ros::message_traits::datatype<geometry_msgs::PoseWithCovarianceStamped>()) {
+    add(GnssMessage(orientation_alone(read<geometry_msgs::PoseWithCovarianceStamped>(message))));
   } else {
     add(GnssMessage(read<geometry_msgs::TwistWithCovarianceStamped>(message)));
   }
@@ -201,6 +206,7 @@ bool BagCollector::passes(const std::string& topic, Reason reason) {
 std::string BagCollector::topic_of(std::size_t kind) const {
   if (kind == kFixKind) return topics_.fix;
   if (kind == kVelocityKind) return topics_.velocity;
+  if (kind == kHeadingKind) return topics_.heading;
   return kind == kEpochKind ? topics_.epoch : topics_.left + " and " + topics_.right;
 }
 

@@ -78,7 +78,7 @@ class BagCollector {
   [[nodiscard]] Message read(const rosbag::MessageInstance& message) const;
   void add(const nav_msgs::Odometry& message);
   void add(const sensor_msgs::Imu& message);
-  void take_velocity(const rosbag::MessageInstance& message);
+  void take_by_type(const rosbag::MessageInstance& message);
   /// When a message of that stamp came in: the stamp of the last odometry before it [s].
   [[nodiscard]] double arrival(double stamp) const;
   void add(const GnssMessage& message);

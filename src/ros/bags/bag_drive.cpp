@@ -1,18 +1,21 @@
 #include "ros/bags/bag_drive.hpp"
 
 #include <rosbag/view.h>
+#include <topic_tools/shape_shifter.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 
 #include "evaluation/metrics.hpp"
 #include "ros/bags/bag_collector.hpp"
 #include "ros/bags/bag_file.hpp"
+#include "ros/inputs/told_levels.hpp"
 #include "ros/map/datum.hpp"
 
 namespace multipath_localization {
@@ -125,12 +128,27 @@ void note_far_datum(const BagCollector& bag, Drive& drive) {
   }
 }
 
-void read_measurements(BagCollector& bag, Drive& drive) {
+/// The levels that the driver of the first receiver tells beside its fixes.
+ToldLevels read_levels(const rosbag::Bag& bag, const std::string& topic) {
+  ToldLevels levels(std::numeric_limits<std::size_t>::max());
+  if (topic.empty()) return levels;
+  for (const rosbag::MessageInstance& message : rosbag::View(bag, rosbag::TopicQuery(topic))) {
+    const auto any = message.instantiate<topic_tools::ShapeShifter>();
+    const std::optional<ToldLevel> told = any ? level_of(*any) : std::nullopt;
+    if (told) levels.add(*told);
+  }
+  return levels;
+}
+
+void read_measurements(BagCollector& bag, const ToldLevels& levels, Drive& drive) {
   const LocalFrame map(drive.datum);
   NotedAntennas antennas(bag, drive.notices);
   const AntennaFinder find = [&](const std::string& frame) { return antennas(frame); };
+  const RotationFinder turned = [&](const std::string& frame) {
+    return bag.antennas().rotation_in_base(frame);
+  };
   for (const ReceivedMessage& received : bag.received()) {
-    const CheckedMeasurement checked = to_measurement(received.message, map, {}, find);
+    const CheckedMeasurement checked = to_measurement(received.message, map, {}, find, turned);
     if (checked.reason != Reason::kAccepted) {
       bag.refuse(received.message.index(), checked.reason);
       continue;
@@ -138,6 +156,8 @@ void read_measurements(BagCollector& bag, Drive& drive) {
     RecordedMeasurement& recorded = drive.measurements.emplace_back();
     recorded.measurement = checked.measurement;
     recorded.arrival = received.arrival;
+    auto* fix = std::get_if<GnssFix>(&recorded.measurement);
+    if (fix != nullptr && fix->receiver == 0) fix->level = levels.at(fix->stamp);
   }
 }
 
@@ -163,7 +183,8 @@ void note_silences(const std::vector<Silence>& silences, Drive& drive) {
 Drive read_bag(const std::string& file, const BagTopics& topics, const std::optional<Geodetic>& datum) {
   Drive drive;
   with_bag(file, [&](const rosbag::Bag& bag) {
-    BagCollector collector(file, find_topics(bag, file, topics));
+    const BagTopics found = find_topics(bag, file, topics);
+    BagCollector collector(file, found);
     for (const rosbag::MessageInstance& message : rosbag::View(bag)) collector.take(message);
     collector.finish();
     if (collector.odometry().empty())
@@ -181,7 +202,7 @@ Drive read_bag(const std::string& file, const BagTopics& topics, const std::opti
     drive.truth = collector.truth();
     if (drive.truth.empty()) drive.notices.emplace_back("no truth: nothing is scored");
     drive.datum = choose_datum(collector, datum, drive);
-    read_measurements(collector, drive);
+    read_measurements(collector, read_levels(bag, found.level), drive);
     if (collector.odometry_in_map()) {
       drive.notices.emplace_back(
           "odometry is in frame map, as the output of a localisation is: the localization node refuses such");

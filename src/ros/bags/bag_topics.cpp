@@ -1,5 +1,6 @@
 #include "ros/bags/bag_topics.hpp"
 
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/TwistWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
@@ -24,7 +25,9 @@ const std::string kOdometry = ros::message_traits::datatype<nav_msgs::Odometry>(
 const std::string kFix = ros::message_traits::datatype<sensor_msgs::NavSatFix>();
 const std::string kEpoch = ros::message_traits::datatype<GnssEpoch>();
 const std::string kImu = ros::message_traits::datatype<sensor_msgs::Imu>();
+const std::string kPose = ros::message_traits::datatype<geometry_msgs::PoseWithCovarianceStamped>();
 const std::string kVelocity = ros::message_traits::datatype<geometry_msgs::TwistWithCovarianceStamped>();
+const std::vector<std::string> kLevels = {"gps_common/GPSFix", "ublox_msgs/NavPVT", "ublox_msgs/NavPVT7"};
 const std::string kBareVelocity = ros::message_traits::datatype<geometry_msgs::TwistStamped>();
 
 /// Whether the last part of a topic's name is what drivers of ublox and NMEA receivers call the velocity.
@@ -126,9 +129,13 @@ BagTopics find_topics(const rosbag::Bag& bag, const std::string& file, const Bag
   taken.insert(taken.end(), {found.left, found.right});
   found.fix = list.named_or_only(asked.fix, "gps/fix", kFix, taken);
   found.epoch = list.named_or_only(asked.epoch, "gnss/epoch", kEpoch);
-  found.imu = list.named_or_single(asked.imu, "imu/data", {kImu}, [](const std::string&) { return true; });
+  found.heading = list.named(asked.heading, "heading", {kImu, kPose});
+  found.imu = list.named_or_single(asked.imu, "imu/data", {kImu},
+                                   [&](const std::string& topic) { return topic != found.heading; });
   found.velocity =
       list.named_or_single(asked.velocity, "gps/velocity", {kVelocity, kBareVelocity}, &named_by_receiver);
+  found.level =
+      list.named_or_single(asked.level, level_topic(0), kLevels, [](const std::string&) { return true; });
   found.odometry = list.named_or_only(asked.odometry, "odom", kOdometry, {found.truth});
   if (found.odometry.empty()) throw list.missing(kOdometry);
   const bool pair = !found.left.empty() && !found.right.empty();

@@ -19,6 +19,8 @@ struct BagTopics {
   std::string imu;       ///< Imu: `imu/data`, or the only one of that type, or none
   std::string velocity;  ///< TwistWithCovarianceStamped or TwistStamped: `gps/velocity`, or the only one that
                          ///< is named as drivers of receivers name it, or none
+  std::string heading;   ///< Imu or PoseWithCovarianceStamped: `heading`, or none
+  std::string level;     ///< GPSFix or NavPVT: `gps/level`, or the only one of such a type, or none
   std::vector<std::string> more_fixes;  ///< NavSatFix of further receivers: `gps_2/fix`, ..., or none
 };
 

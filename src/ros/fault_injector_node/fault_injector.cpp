@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ros/messages/conversions.hpp"
+#include "ros/messages/heading_conversions.hpp"
 #include "simulation/streams.hpp"
 
 namespace multipath_localization {
@@ -83,11 +84,25 @@ std::vector<geometry_msgs::TwistWithCovarianceStamped> FaultInjector::take(
   return velocities_.take(now_);
 }
 
+std::vector<sensor_msgs::Imu> FaultInjector::take_heading(const sensor_msgs::Imu& heading) {
+  const CheckedHeading checked = to_heading(heading, {}, Eigen::Quaterniond::Identity());
+  if (checked.reason != Reason::kAccepted) return {heading};
+  const double stamp = checked.heading.stamp;
+  see(stamp, false);
+  if (const auto spoilt = heading_faults_->spoil(stamp, {0.0, 0.0, checked.heading.yaw})) {
+    sensor_msgs::Imu message = heading;
+    message.orientation = to_message(Pose2{0.0, 0.0, spoilt->value.z()}).orientation;
+    headings_.send(message, stamp + spoilt->delay);
+  }
+  return headings_.take(now_);
+}
+
 std::string FaultInjector::active() const {
   std::string text;
   if (!fix_faults_) return "none";
-  for (const auto& faults : {fix_faults_->active(now_), odometry_faults_->active(now_),
-                             gyro_faults_->active(now_), velocity_faults_->active(now_)}) {
+  for (const auto& faults :
+       {fix_faults_->active(now_), odometry_faults_->active(now_), gyro_faults_->active(now_),
+        velocity_faults_->active(now_), heading_faults_->active(now_)}) {
     for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
   }
   return text.empty() ? "none" : text;
@@ -104,7 +119,9 @@ void FaultInjector::begin(double stamp) {
   odometry_faults_.emplace(parameters_.faults.odometry, seed, stamp);
   gyro_faults_.emplace(parameters_.faults.gyro, "gyro", seed, kGyroFaultStream, stamp);
   velocity_faults_.emplace(parameters_.faults.velocity, "velocity", seed, kVelocityFaultStream, stamp);
+  heading_faults_.emplace(parameters_.faults.heading, "heading", seed, kHeadingFaultStream, stamp);
   imus_ = {};
+  headings_ = {};
   velocities_ = {};
   now_ = last_fix_ = stamp;
   taken_ = 0;

@@ -50,6 +50,9 @@ class FaultInjector {
   std::vector<geometry_msgs::TwistWithCovarianceStamped> take(
       const geometry_msgs::TwistWithCovarianceStamped& velocity);
 
+  /// The same of the headings.
+  std::vector<sensor_msgs::Imu> take_heading(const sensor_msgs::Imu& heading);
+
   /// A line for each fault that is there now, "none" for none.
   [[nodiscard]] std::string active() const;
 
@@ -67,7 +70,9 @@ class FaultInjector {
   std::optional<OdometryFaults> odometry_faults_;
   std::optional<SensorFaults> gyro_faults_;
   std::optional<SensorFaults> velocity_faults_;
+  std::optional<SensorFaults> heading_faults_;
   DeliveryQueue<sensor_msgs::Imu> imus_;
+  DeliveryQueue<sensor_msgs::Imu> headings_;
   DeliveryQueue<geometry_msgs::TwistWithCovarianceStamped> velocities_;
   OdometryReader reader_{{}, ""};
   std::optional<LocalFrame> map_;

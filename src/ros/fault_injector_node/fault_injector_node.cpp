@@ -16,6 +16,7 @@ FaultInjectorNode::FaultInjectorNode(ros::NodeHandle node, ros::NodeHandle priva
   fix_out_ = node.advertise<sensor_msgs::NavSatFix>("gps/fix_spoiled", kQueue);
   imu_out_ = node.advertise<sensor_msgs::Imu>("imu/data_spoiled", kQueue);
   velocity_out_ = node.advertise<geometry_msgs::TwistWithCovarianceStamped>("gps/velocity_spoiled", kQueue);
+  heading_out_ = node.advertise<sensor_msgs::Imu>("heading_spoiled", kQueue);
   odometry_out_ = node.advertise<nav_msgs::Odometry>("odom_spoiled", kQueue);
   faults_ = private_node.advertise<std_msgs::String>("faults", 1, true);
   publish({});
@@ -30,6 +31,10 @@ FaultInjectorNode::FaultInjectorNode(ros::NodeHandle node, ros::NodeHandle priva
   velocity_in_ = node.subscribe<Velocity>("gps/velocity", kQueue, [this](const Velocity::ConstPtr& message) {
     for (const Velocity& spoilt : injector_.take(*message)) velocity_out_.publish(spoilt);
   });
+  heading_in_ =
+      node.subscribe<sensor_msgs::Imu>("heading", kQueue, [this](const sensor_msgs::ImuConstPtr& message) {
+        for (const sensor_msgs::Imu& spoilt : injector_.take_heading(*message)) heading_out_.publish(spoilt);
+      });
   odometry_in_ =
       node.subscribe<nav_msgs::Odometry>("odom", kQueue, [this](const nav_msgs::OdometryConstPtr& message) {
         std::vector<sensor_msgs::NavSatFix> fixes;

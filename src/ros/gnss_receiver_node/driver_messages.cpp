@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "receiver/byte_reader.hpp"
+#include "ros/messages/message_bytes.hpp"
 
 namespace multipath_localization {
 
@@ -20,13 +21,6 @@ constexpr double kTolerance = 1e3;     // of a carrier's frequency [Hz]
 constexpr double kGlonassL1 = 1602e6;  // and its channels, up to 7 MHz away [Hz]
 constexpr double kGlonassBand = 7.5e6;
 constexpr std::size_t kMostSignals = 64;  // of a satellite
-
-std::string bytes_of(const topic_tools::ShapeShifter& message) {
-  std::string bytes(message.size(), '\0');
-  ros::serialization::OStream out(reinterpret_cast<std::uint8_t*>(bytes.data()), message.size());
-  message.write(out);
-  return bytes;
-}
 
 /// Takes the count of a list out that stands at `place` and says as much as the byte at `told` does; nothing
 /// unless that many items of that size follow.

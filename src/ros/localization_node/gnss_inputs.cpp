@@ -29,6 +29,7 @@ GnssInputs::GnssInputs(ros::NodeHandle node, const GnssParameters& parameters, c
   };
   for (std::size_t receiver = 0; receiver < kMostReceivers; ++receiver) {
     add(fix_name(receiver), kFixKind, {subscribe_fix(node, receiver)}, receiver);
+    level_subscribers_.push_back(subscribe_level(node, receiver));
   }
   add("dual", kDualKind,
       {node.subscribe("gps/left/fix", kQueue, &GnssInputs::on_left, this, at_once()),
@@ -36,6 +37,7 @@ GnssInputs::GnssInputs(ros::NodeHandle node, const GnssParameters& parameters, c
   add("epoch", kEpochKind, {node.subscribe("gnss/epoch", kQueue, &GnssInputs::on_epoch, this, at_once())});
   add("velocity", kVelocityKind,
       {node.subscribe("gps/velocity", kQueue, &GnssInputs::on_velocity, this, at_once())});
+  add("heading", kHeadingKind, {node.subscribe("heading", kQueue, &GnssInputs::on_heading, this, at_once())});
 }
 
 ros::Subscriber GnssInputs::subscribe_fix(ros::NodeHandle& node, std::size_t receiver) {
@@ -43,7 +45,22 @@ ros::Subscriber GnssInputs::subscribe_fix(ros::NodeHandle& node, std::size_t rec
       fix_topic(receiver), kQueue,
       [this, receiver](const sensor_msgs::NavSatFix::ConstPtr& message) {
         of(fix_name(receiver)).arrived();
-        take_(ReceiverFix(stamped_earlier(*message, delay_), receiver));
+        ReceiverFix fix(stamped_earlier(*message, delay_), receiver);
+        fix.level = levels_[receiver].at(message->header.stamp.toSec());
+        take_(fix);
+      },
+      ros::VoidConstPtr(), at_once());
+}
+
+ros::Subscriber GnssInputs::subscribe_level(ros::NodeHandle& node, std::size_t receiver) {
+  const std::string topic = level_topic(receiver);
+  return node.subscribe<topic_tools::ShapeShifter>(
+      topic, kQueue,
+      [this, receiver, topic](const topic_tools::ShapeShifter::ConstPtr& message) {
+        const std::optional<ToldLevel> told = level_of(*message);
+        if (!told) return;
+        levels_[receiver].add(*told);
+        if (told_.insert(topic).second) ROS_INFO("%s: levels of fixes are told apart", topic.c_str());
       },
       ros::VoidConstPtr(), at_once());
 }
@@ -73,6 +90,16 @@ void GnssInputs::on_velocity(const topic_tools::ShapeShifter::ConstPtr& message)
     take_(stamped_earlier(*velocity, delay_));
   } else {
     ROS_WARN_THROTTLE(kTellEvery, "gps/velocity is a %s: neither TwistWithCovarianceStamped nor TwistStamped",
+                      message->getDataType().c_str());
+  }
+}
+
+void GnssInputs::on_heading(const topic_tools::ShapeShifter::ConstPtr& message) {
+  if (const auto heading = heading_of(*message)) {
+    of("heading").arrived();
+    take_(stamped_earlier(*heading, delay_));
+  } else {
+    ROS_WARN_THROTTLE(kTellEvery, "heading is a %s: neither Imu nor PoseWithCovarianceStamped",
                       message->getDataType().c_str());
   }
 }

@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 #include <topic_tools/shape_shifter.h>
 
+#include <array>
 #include <functional>
 #include <set>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "ros/inputs/fix_pairing.hpp"
 #include "ros/inputs/input_monitor.hpp"
+#include "ros/inputs/told_levels.hpp"
 #include "ros/messages/gnss_message.hpp"
 
 namespace multipath_localization {
@@ -24,11 +26,12 @@ struct GnssInput {
 
   /// Whether it belongs to what is waited for: a further receiver only once it has been heard.
   [[nodiscard]] bool counts() const { return monitor.awaited() && (receiver == 0 || monitor.seen()); }
-  [[nodiscard]] bool tells_position() const { return kind != kVelocityKind; }
+  [[nodiscard]] bool tells_position() const { return kind != kVelocityKind && kind != kHeadingKind; }
 };
 
-/// Subscribes to `gps/fix`, `gps_2/fix`, ... of further receivers, `gps/left/fix` with `gps/right/fix`,
-/// `gnss/epoch`, and `gps/velocity` of either of its types, and hands on what comes.
+/// Subscribes to `gps/fix`, `gps_2/fix`, ... of further receivers, with `gps/level`, `gps_2/level`, ...,
+/// `gps/left/fix` with `gps/right/fix`, `gnss/epoch`, and `gps/velocity` and `heading` of either of their
+/// types, and hands on what comes.
 class GnssInputs {
  public:
   using Take = std::function<void(const GnssMessage&)>;
@@ -60,15 +63,19 @@ class GnssInputs {
   void on_right(const sensor_msgs::NavSatFix::ConstPtr& message);
   void on_epoch(const GnssEpoch::ConstPtr& message);
   void on_velocity(const topic_tools::ShapeShifter::ConstPtr& message);
+  void on_heading(const topic_tools::ShapeShifter::ConstPtr& message);
   void add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix);
 
   ros::Subscriber subscribe_fix(ros::NodeHandle& node, std::size_t receiver);
+  ros::Subscriber subscribe_level(ros::NodeHandle& node, std::size_t receiver);
 
   double delay_;
   FixPairing pairing_;
   Take take_;
   GiveUp give_up_;
   std::vector<GnssInput> inputs_;
+  std::array<ToldLevels, kMostReceivers> levels_;
+  std::vector<ros::Subscriber> level_subscribers_;
   std::set<std::string> told_;  ///< names of those that the console knows
 };
 

@@ -76,9 +76,9 @@ void GnssPipeline::weigh(const GnssMessage& message) {
   const double now = parts_.odometry.stamp().toSec();
   if (antennas_.waits(message, now, ros::WallTime::now().toSec())) return unplaced_.push_back(message);
   const GnssParameters& gnss = parts_.parameters.gnss;
-  const CheckedMeasurement checked =
-      to_measurement(message, *parts_.datum.map(), gnss,
-                     [this](const std::string& frame) { return antenna_in_base(frame); });
+  const CheckedMeasurement checked = to_measurement(
+      message, *parts_.datum.map(), gnss, [this](const std::string& frame) { return antenna_in_base(frame); },
+      [this](const std::string& frame) { return parts_.tf.antennas().rotation_in_base(frame); });
   if (checked.reason == Reason::kInvalidPosition) {
     const std::optional<Geodetic> place = place_of(message, gnss);
     return refuse(message, checked.reason, place ? parts_.datum.distance_to(*place) : "");

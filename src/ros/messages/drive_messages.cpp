@@ -9,6 +9,7 @@
 #include "ros/messages/earth_frame.hpp"
 #include "ros/messages/epoch_conversions.hpp"
 #include "ros/messages/gnss_message.hpp"
+#include "ros/messages/heading_conversions.hpp"
 #include "ros/messages/imu_conversions.hpp"
 #include "ros/messages/velocity_conversions.hpp"
 
@@ -99,6 +100,9 @@ std::vector<TopicMessage> DriveMessages::of(const Measurement& measurement) cons
   }
   if (const auto* velocity = std::get_if<GnssVelocity>(&measurement)) {
     return {{"gps/velocity", to_message(*velocity, header(velocity->stamp, frames_.gps_frame))}};
+  }
+  if (const auto* heading = std::get_if<Heading>(&measurement)) {
+    return {{"heading", to_message(*heading, header(heading->stamp, frames_.base_link_frame))}};
   }
   const auto& [stamp, left, right] = std::get<DualAntennaFix>(measurement);
   return {{"gps/left/fix", to_message(left, map_, header(left.stamp, frames_.gps_left_frame))},

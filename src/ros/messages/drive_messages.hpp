@@ -39,8 +39,8 @@ struct TopicMessage {
 };
 
 /// Turns what a drive holds into messages: `odom`, `gps/fix`, `gps_2/fix` and so on, `gps/left/fix` and
-/// `gps/right/fix`, `gnss/epoch`, `gps/velocity`, `imu/data`, `truth` and where it says so `truth/bias` (z is
-/// 1 where fixes are biased).
+/// `gps/right/fix`, `gnss/epoch`, `gps/velocity`, `heading`, `imu/data`, `truth` and where it says so
+/// `truth/bias` (z is 1 where fixes are biased).
 class DriveMessages {
  public:
   /// The stamp of a time of the drive [s].

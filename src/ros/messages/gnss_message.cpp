@@ -10,14 +10,19 @@ namespace {
 /// Reads one kind of message after the other kinds of it have been told apart.
 class Reading {
  public:
-  Reading(const LocalFrame& map, const GnssParameters& parameters, const AntennaFinder& antenna_in_base)
-      : map_(map), parameters_(parameters), antenna_in_base_(antenna_in_base) {}
+  Reading(const LocalFrame& map, const GnssParameters& parameters, const AntennaFinder& antenna_in_base,
+          const RotationFinder& rotation_in_base)
+      : map_(map),
+        parameters_(parameters),
+        antenna_in_base_(antenna_in_base),
+        rotation_in_base_(rotation_in_base) {}
 
   CheckedMeasurement operator()(const ReceiverFix& message) const {
     const std::optional<Eigen::Vector2d> antenna = lone_antenna(message.header.frame_id);
     if (!antenna) return {Reason::kInvalidFrame, {}};
     CheckedFix checked = to_fix(message, map_, parameters_.fix, *antenna);
     checked.fix.receiver = message.receiver;
+    checked.fix.level = message.level;
     return {checked.reason, checked.fix};
   }
 
@@ -43,6 +48,16 @@ class Reading {
     return {checked.reason, checked.velocity};
   }
 
+  CheckedMeasurement operator()(const sensor_msgs::Imu& message) const {
+    std::optional<Eigen::Quaterniond> in_base;
+    if (rotation_in_base_ && !message.header.frame_id.empty()) {
+      in_base = rotation_in_base_(message.header.frame_id);
+    }
+    const CheckedHeading checked =
+        to_heading(message, parameters_.heading, in_base.value_or(Eigen::Quaterniond::Identity()));
+    return {checked.reason, checked.heading};
+  }
+
  private:
   [[nodiscard]] std::optional<Eigen::Vector2d> lone_antenna(const std::string& frame) const {
     const std::optional<Eigen::Vector2d> antenna = antenna_in_base_(frame);
@@ -53,6 +68,7 @@ class Reading {
   const LocalFrame& map_;
   const GnssParameters& parameters_;
   const AntennaFinder& antenna_in_base_;
+  const RotationFinder& rotation_in_base_;
 };
 
 const std_msgs::Header& header(const FixPair& pair) {
@@ -73,6 +89,11 @@ std::string fix_name(std::size_t receiver) {
 
 std::string fix_topic(std::size_t receiver) {
   return receiver == 0 ? "gps/fix" : "gps_" + std::to_string(receiver + 1) + "/fix";
+}
+
+std::string level_topic(std::size_t receiver) {
+  const std::string fix = fix_topic(receiver);
+  return fix.substr(0, fix.find('/')) + "/level";
 }
 
 std::string name_of(const GnssMessage& message) {
@@ -96,10 +117,11 @@ void GnssParameters::fields(ParameterVisitor& field) {
   field("pair_tolerance", pair_tolerance, {0.0, 1.0}, "s",
         "fixes of the left and the right antenna whose stamps differ by more are of two instants");
   field("delay", delay, {-2.0, 2.0}, "s",
-        "fixes, epochs and velocities are of this long before their stamps; tune_from_bag tells");
+        "fixes, epochs, velocities and headings are of this long before their stamps; tune_from_bag tells");
   field.group("fix", fix, "how fixes are read");
   field.group("epoch", epoch, "how epochs of pseudoranges are read");
   field.group("velocity", velocity, "how velocities of a receiver are read");
+  field.group("heading", heading, "how headings are read");
 }
 
 Eigen::Vector2d GnssParameters::antenna_otherwise() const {
@@ -116,6 +138,7 @@ std::vector<std::string> frames_of(const GnssMessage& message) {
   if (const auto* pair = std::get_if<FixPair>(&message)) {
     return {pair->left.header.frame_id, pair->right.header.frame_id};
   }
+  if (std::holds_alternative<sensor_msgs::Imu>(message)) return {};
   return {header_of(message).frame_id};
 }
 
@@ -131,6 +154,7 @@ double declared_sigma(const GnssMessage& message) {
   if (const auto* velocity = std::get_if<geometry_msgs::TwistWithCovarianceStamped>(&message)) {
     return declared_sigma(*velocity);
   }
+  if (const auto* heading = std::get_if<sensor_msgs::Imu>(&message)) return declared_heading_sigma(*heading);
   return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -150,6 +174,7 @@ Reason check(const GnssMessage& message, const GnssParameters& parameters) {
   if (const auto* velocity = std::get_if<geometry_msgs::TwistWithCovarianceStamped>(&message)) {
     return check(*velocity, parameters.velocity);
   }
+  if (const auto* heading = std::get_if<sensor_msgs::Imu>(&message)) return check(*heading);
   const auto& pair = std::get<FixPair>(message);
   const Reason left = check(pair.left, parameters.fix);
   return left == Reason::kAccepted ? check(pair.right, parameters.fix) : left;
@@ -163,8 +188,9 @@ std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameter
 }
 
 CheckedMeasurement to_measurement(const GnssMessage& message, const LocalFrame& map,
-                                  const GnssParameters& parameters, const AntennaFinder& antenna_in_base) {
-  return std::visit(Reading(map, parameters, antenna_in_base), message);
+                                  const GnssParameters& parameters, const AntennaFinder& antenna_in_base,
+                                  const RotationFinder& rotation_in_base) {
+  return std::visit(Reading(map, parameters, antenna_in_base, rotation_in_base), message);
 }
 
 }  // namespace multipath_localization

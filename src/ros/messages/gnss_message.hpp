@@ -12,6 +12,8 @@
 
 #include "ros/messages/conversions.hpp"
 #include "ros/messages/epoch_conversions.hpp"
+#include "ros/messages/heading_conversions.hpp"
+#include "ros/messages/imu_conversions.hpp"
 #include "ros/messages/velocity_conversions.hpp"
 
 namespace multipath_localization {
@@ -21,21 +23,25 @@ struct ReceiverFix : sensor_msgs::NavSatFix {
   ReceiverFix(const sensor_msgs::NavSatFix& fix = {}, std::size_t number = 0)  // NOLINT: most robots have one
       : sensor_msgs::NavSatFix(fix), receiver(number) {}
 
-  std::size_t receiver;  ///< as in GnssFix
+  std::size_t receiver;                ///< as in GnssFix
+  FixLevel level = FixLevel::kUntold;  ///< as its driver tells beside it
 };
 
 /// What comes in of GNSS. The index is that of what becomes of it, in Measurement.
-using GnssMessage = std::variant<ReceiverFix, FixPair, GnssEpoch, geometry_msgs::TwistWithCovarianceStamped>;
+using GnssMessage = std::variant<ReceiverFix, FixPair, GnssEpoch, geometry_msgs::TwistWithCovarianceStamped,
+                                 sensor_msgs::Imu>;
 
 /// Names of these kinds, by index.
 constexpr std::array<std::string_view, std::variant_size_v<GnssMessage>> kGnssKinds = {"fix", "dual", "epoch",
-                                                                                       "velocity"};
+                                                                                       "velocity", "heading"};
 /// Receivers of fixes that a robot may have.
 constexpr std::size_t kMostReceivers = 4;
 /// "fix", of further receivers "fix_2", "fix_3" and so on.
 std::string fix_name(std::size_t receiver);
 /// "gps/fix", of further receivers "gps_2/fix", "gps_3/fix" and so on.
 std::string fix_topic(std::size_t receiver);
+/// "gps/level", of further receivers "gps_2/level" and so on.
+std::string level_topic(std::size_t receiver);
 /// The name of any kind: "dual", "epoch", ...
 std::string name_of(const GnssMessage& message);
 std::string name_of(const Measurement& measurement);
@@ -52,6 +58,7 @@ struct GnssParameters {
   FixParameters fix;
   EpochParameters epoch;
   VelocityParameters velocity;
+  HeadingParameters heading;
 
   /// Where a lone antenna is that tf does not place on the robot [m].
   [[nodiscard]] Eigen::Vector2d antenna_otherwise() const;
@@ -81,14 +88,14 @@ struct CheckedMeasurement {
 /// Finds the antenna of a frame on the base [m], nothing when tf does not know the frame.
 using AntennaFinder = std::function<std::optional<Eigen::Vector2d>(const std::string& frame)>;
 
-/// Of the antennas, one or two.
+/// Of the antennas, one or two; none of a heading.
 std::vector<std::string> frames_of(const GnssMessage& message);
 
 /// Of a pair the later one's.
 const std_msgs::Header& header_of(const GnssMessage& message);
 
-/// Root of the mean horizontal variance as declared, of a pair over both [m], of a velocity [m/s]; NaN where
-/// none is, as for an epoch.
+/// Root of the mean horizontal variance as declared, of a pair over both [m], of a velocity [m/s], of a
+/// heading [rad]; NaN where none is, as for an epoch.
 double declared_sigma(const GnssMessage& message);
 
 /// Number of pseudoranges of an epoch, 0 for fixes.
@@ -99,13 +106,15 @@ std::size_t satellites_of(const GnssMessage& message);
 Reason check(const GnssMessage& message, const GnssParameters& parameters);
 
 /// Where a message that passed `check` puts the antenna, of a pair the left one; nothing for an epoch that
-/// does not tell, and for a velocity.
+/// does not tell, for a velocity and for a heading.
 std::optional<Geodetic> place_of(const GnssMessage& message, const GnssParameters& parameters);
 
-/// Reads a message by the tables of `to_fix`, `to_dual`, `to_epoch` and `to_velocity`. An antenna whose frame
-/// is unknown is taken to be where `antenna` says, by default at the base, unless its transform is required
-/// or it is one of two.
+/// Reads a message by the tables of `to_fix`, `to_dual`, `to_epoch`, `to_velocity` and `to_heading`. An
+/// antenna whose frame is unknown is taken to be where `antenna` says, by default at the base, unless its
+/// transform is required or it is one of two; a sensor of a heading whose frame is unknown, to be turned as
+/// the base is.
 CheckedMeasurement to_measurement(const GnssMessage& message, const LocalFrame& map,
-                                  const GnssParameters& parameters, const AntennaFinder& antenna_in_base);
+                                  const GnssParameters& parameters, const AntennaFinder& antenna_in_base,
+                                  const RotationFinder& rotation_in_base = nullptr);
 
 }  // namespace multipath_localization

@@ -2,6 +2,7 @@
 
 #include "ros/messages/conversions.hpp"
 #include "ros/messages/epoch_conversions.hpp"
+#include "ros/messages/heading_conversions.hpp"
 #include "ros/messages/velocity_conversions.hpp"
 
 namespace multipath_localization {
@@ -31,6 +32,7 @@ SimulatedGnss::SimulatedGnss(ros::NodeHandle node, const SimulatorParameters& si
   if (simulator.velocity.rate > 0.0) {
     velocity_ = node.advertise<geometry_msgs::TwistWithCovarianceStamped>("gps/velocity", kQueue);
   }
+  if (simulator.compass.rate > 0.0) heading_ = node.advertise<sensor_msgs::Imu>("heading", kQueue);
   place_antennas(simulator);
 }
 
@@ -61,9 +63,14 @@ void SimulatedGnss::publish(const Measurement& measurement, std::optional<int> s
   if (const auto* fix = std::get_if<GnssFix>(&measurement)) publish(*fix, status);
   if (const auto* fixes = std::get_if<DualAntennaFix>(&measurement)) publish(*fixes);
   if (const auto* epoch = std::get_if<PseudorangeEpoch>(&measurement)) publish(*epoch);
+  if (const auto* heading = std::get_if<Heading>(&measurement)) publish(*heading);
   if (const auto* velocity = std::get_if<GnssVelocity>(&measurement)) {
     velocity_.publish(to_message(*velocity, header(velocity->stamp, frames_.gps_frame)));
   }
+}
+
+void SimulatedGnss::publish(const Heading& heading) {
+  heading_.publish(to_message(heading, header(heading.stamp, frames_.base_link_frame)));
 }
 
 void SimulatedGnss::publish(const GnssFix& fix, std::optional<int> status) {

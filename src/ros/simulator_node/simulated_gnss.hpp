@@ -14,8 +14,8 @@
 namespace multipath_localization {
 
 /// Publishes what the simulated receivers measure, on the topics of those that there are: `gps/fix`,
-/// `gps_2/fix`, `gps/left/fix` and `gps/right/fix`, `gnss/epoch`, `gps/velocity`; and where their antennas
-/// are, on tf.
+/// `gps_2/fix`, `gps/left/fix` and `gps/right/fix`, `gnss/epoch`, `gps/velocity`, `heading`; and where their
+/// antennas are, on tf.
 class SimulatedGnss {
  public:
   /// `origin`: stamp of simulated time 0.
@@ -29,13 +29,14 @@ class SimulatedGnss {
   void publish(const GnssFix& fix, std::optional<int> status);
   void publish(const DualAntennaFix& fixes);
   void publish(const PseudorangeEpoch& epoch);
+  void publish(const Heading& heading);
   void place_antennas(const SimulatorParameters& simulator);
   [[nodiscard]] std_msgs::Header header(double time, const std::string& frame) const;
 
   RobotFrames frames_;
   LocalFrame map_;
   ros::Time origin_;
-  ros::Publisher fix_, fix_2_, left_, right_, epoch_, velocity_;
+  ros::Publisher fix_, fix_2_, left_, right_, epoch_, velocity_, heading_;
   tf2_ros::StaticTransformBroadcaster transforms_;
 };
 

@@ -156,9 +156,9 @@ void SimulatorNode::publish_truth() {
   truth_.publish(message);
   geometry_msgs::Vector3Stamped bias;
   bias.header = message.header;
-  bias.vector.x = simulator_.bias().x();
-  bias.vector.y = simulator_.bias().y();
-  bias.vector.z = simulator_.in_shadow() ? 1.0 : 0.0;
+  bias.vector.x = simulator_.around().bias.x();
+  bias.vector.y = simulator_.around().bias.y();
+  bias.vector.z = simulator_.around().in_shadow ? 1.0 : 0.0;
   bias_.publish(bias);
 }
 

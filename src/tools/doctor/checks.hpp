@@ -56,6 +56,8 @@ Findings check_way(const Observations& seen);
 Findings check_gyro(const Observations& seen);
 /// A receiver's velocities, where there are any: against how the fixes go on.
 Findings check_velocity(const Observations& seen);
+/// A compass or two antennas, where there are any: against where the fixes and odometry go.
+Findings check_heading(const Observations& seen);
 
 /// All of them, in this order.
 Findings diagnose(const Observations& seen);

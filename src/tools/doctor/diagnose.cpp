@@ -23,7 +23,8 @@ Findings diagnose(const Observations& seen) {
                            check_twist,
                            check_way,
                            check_gyro,
-                           check_velocity}) {
+                           check_velocity,
+                           check_heading}) {
     const Findings found = check(seen);
     all.insert(all.end(), found.begin(), found.end());
   }

@@ -36,6 +36,7 @@ struct Observations {
   std::string odometry_topic = "odom";
   std::string imu_topic = "imu/data";
   std::string velocity_topic = "gps/velocity";
+  std::string heading_topic = "heading";
   FrameParameters frames;
   std::map<std::string, std::string> types;  ///< of all topics, by name without leading slash
   /// Types of topics of a bag whose messages cannot be read, being of another version of it.
@@ -44,6 +45,7 @@ struct Observations {
   std::vector<Arrived<nav_msgs::Odometry>> odometry;
   std::vector<Arrived<sensor_msgs::Imu>> imus;
   std::vector<Arrived<geometry_msgs::TwistWithCovarianceStamped>> velocities;
+  std::vector<Arrived<sensor_msgs::Imu>> headings;
   std::vector<Broadcast> transforms;
   std::vector<double> datum;    ///< of the parameters, or saved in their datum_file; empty for none
   std::string datum_file;       ///< where it was saved, empty where it is one of the parameters

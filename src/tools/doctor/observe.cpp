@@ -9,6 +9,7 @@
 #include "ros/bags/bag_file.hpp"
 #include "ros/map/datum_file.hpp"
 #include "ros/messages/conversions.hpp"
+#include "ros/messages/heading_conversions.hpp"
 #include "ros/messages/velocity_conversions.hpp"
 #include "ros/parameters/parameter_server.hpp"
 
@@ -39,6 +40,7 @@ Observations begin(const ObservationRequest& request) {
   seen.odometry_topic = request.odometry_topic;
   seen.imu_topic = request.imu_topic;
   seen.velocity_topic = request.velocity_topic;
+  seen.heading_topic = request.heading_topic;
   if (!request.parameters.empty()) take_parameters(read_yaml(request.parameters), seen);
   return seen;
 }
@@ -52,7 +54,9 @@ std::string odometry_topic_of(const Observations& seen) {
 }
 
 std::string imu_topic_of(const Observations& seen) {
-  return resolved(seen.types, seen.imu_topic, ros::message_traits::datatype<sensor_msgs::Imu>());
+  auto types = seen.types;
+  types.erase(without_slash(seen.heading_topic));
+  return resolved(types, seen.imu_topic, ros::message_traits::datatype<sensor_msgs::Imu>());
 }
 
 void take_extras(const rosbag::MessageInstance& message, Observations& seen) {
@@ -60,6 +64,9 @@ void take_extras(const rosbag::MessageInstance& message, Observations& seen) {
   const double time = message.getTime().toSec();
   if (topic == imu_topic_of(seen)) {
     if (const auto imu = message.instantiate<sensor_msgs::Imu>()) seen.imus.push_back({*imu, time});
+  }
+  if (topic == without_slash(seen.heading_topic)) {
+    if (const auto heading = heading_of(message)) seen.headings.push_back({*heading, time});
   }
   if (topic != without_slash(seen.velocity_topic)) return;
   using Velocity = geometry_msgs::TwistWithCovarianceStamped;
@@ -123,6 +130,9 @@ void listen(double seconds, Observations& seen) {
   const boost::function<void(const topic_tools::ShapeShifter&)> on_velocity = [&](const auto& message) {
     if (const auto velocity = velocity_of(message)) seen.velocities.push_back({*velocity, now()});
   };
+  const boost::function<void(const topic_tools::ShapeShifter&)> on_heading = [&](const auto& message) {
+    if (const auto heading = heading_of(message)) seen.headings.push_back({*heading, now()});
+  };
   const boost::function<void(const rosgraph_msgs::Clock&)> on_clock = [&](const auto&) { seen.clock = true; };
   const auto on_transforms = [&](bool is_static) {
     return boost::function<void(const Transforms&)>([&seen, is_static](const Transforms& event) {
@@ -136,6 +146,7 @@ void listen(double seconds, Observations& seen) {
       node.subscribe<nav_msgs::Odometry>("/" + odometry_topic_of(seen), 1000, on_odometry),
       node.subscribe<sensor_msgs::Imu>("/" + imu_topic_of(seen), 1000, on_imu),
       node.subscribe<topic_tools::ShapeShifter>("/" + without_slash(seen.velocity_topic), 1000, on_velocity),
+      node.subscribe<topic_tools::ShapeShifter>("/" + without_slash(seen.heading_topic), 1000, on_heading),
       node.subscribe<rosgraph_msgs::Clock>("/clock", 10, on_clock),
       node.subscribe<tf2_msgs::TFMessage>("/tf", 1000, on_transforms(false)),
       node.subscribe<tf2_msgs::TFMessage>("/tf_static", 1000, on_transforms(true))};

@@ -12,6 +12,7 @@ struct ObservationRequest {
   std::string odometry_topic = "odom";
   std::string imu_topic = "imu/data";
   std::string velocity_topic = "gps/velocity";
+  std::string heading_topic = "heading";
   std::string parameters;              ///< YAML of localization_node, for frames and datum; empty: none
   std::string node = "/localization";  ///< live: the node whose parameters count
   double seconds = 10.0;               ///< live: to watch for

@@ -66,7 +66,8 @@ RandomExtras parse_extras(const std::string& list) {
   for (const std::string& name : split(list)) {
     const auto* const extra = std::find_if(kExtras.begin(), kExtras.end(),
                                            [&](const NamedExtra& known) { return known.name == name; });
-    if (extra == kExtras.end()) throw UsageError(name + " is none of gyro, velocity, receivers");
+    if (extra == kExtras.end())
+      throw UsageError(name + " is none of gyro, velocity, receivers, heading, levels");
     extras.*extra->given = true;
   }
   return extras;
@@ -127,11 +128,10 @@ Options read_options(const po::variables_map& given) {
   options.suite = text("suite");
   std::vector<std::string> fixes = split(text("fix-topic"));
   if (fixes.empty()) fixes.emplace_back();
-  options.topics = {fixes.front(),          text("odom-topic"),
-                    text("truth-topic"),    text("shadow-topic"),
-                    text("epoch-topic"),    text("left-topic"),
-                    text("right-topic"),    text("imu-topic"),
-                    text("velocity-topic"), {std::next(fixes.begin()), fixes.end()}};
+  options.topics = {fixes.front(),         text("odom-topic"),  text("truth-topic"),
+                    text("shadow-topic"),  text("epoch-topic"), text("left-topic"),
+                    text("right-topic"),   text("imu-topic"),   text("velocity-topic"),
+                    text("heading-topic"), text("level-topic"), {std::next(fixes.begin()), fixes.end()}};
   if (given.count("datum") > 0) options.datum = parse_datum(text("datum"));
   if (given.count("set") > 0) options.assignments = given["set"].as<std::vector<std::string>>();
   options.faults_file = text("faults");

@@ -49,8 +49,12 @@ po::options_description stream_options() {
   add("imu-topic", text("TOPIC"), "imu/data, or the only Imu");
   add("velocity-topic", text("TOPIC"),
       "velocity of a receiver, with covariance or without; gps/velocity, or the only fix_velocity or vel");
+  add("heading-topic", text("TOPIC"), "Imu or PoseWithCovarianceStamped; heading");
+  add("level-topic", text("TOPIC"),
+      "levels of fixes: gps_common/GPSFix or ublox_msgs/NavPVT; gps/level, or the only one");
   add("without", text("A,B"),
-      "inputs of a recording to leave out: gyro, velocity, receivers (all but the first)");
+      "inputs of a recording to leave out: gyro, velocity, receivers (all but the first), heading, levels "
+      "(of RTK)");
   add("odom-topic", text("TOPIC"), "odom, or the only Odometry besides truth");
   add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
   add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
@@ -79,7 +83,7 @@ po::options_description run_options() {
       "run seeds 1..N, or FIRST..LAST; of random robots the seed is the robot's too");
   add("with", text("A,B"),
       "inputs of random robots beside odometry and fixes: gyro, velocity (by Doppler), receivers (a second "
-      "one)");
+      "one), heading, levels (RTK receivers tell theirs)");
   add("jobs", number("N", 1), "runs at a time");
   add("known-start", "start at the true pose; unknown otherwise");
   add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),

@@ -37,6 +37,21 @@ TEST(ReceiverWatch, TellsThatAReceiverHasFixedItsAmbiguitiesAnew) {
   EXPECT_FALSE(sighting_of(watch, 8.0, 0.02).reacquired);
 }
 
+TEST(ReceiverWatch, GoesByTheLevelThatAReceiverTellsWhereItTellsOne) {
+  ReceiverWatch watch(0.0);
+  const auto refixed = [&](double now, FixLevel level, double sigma) {
+    GnssFix fix = fix_of(sigma);
+    fix.level = level;
+    watch.add(fix, now);
+    return watch.take(now, 0.0, 0.1).refixed;
+  };
+  EXPECT_FALSE(refixed(1.0, FixLevel::kFloat, 0.2));
+  EXPECT_TRUE(refixed(2.0, FixLevel::kFixed, 0.2)) << "whatever it declares";
+  EXPECT_FALSE(refixed(3.0, FixLevel::kFixed, 0.5));
+  EXPECT_FALSE(refixed(4.0, FixLevel::kFixed, 0.02)) << "it was fixed all the time";
+  EXPECT_FALSE(refixed(5.0, FixLevel::kFloat, 0.02));
+}
+
 TEST(ReceiverWatch, DoesNotWaitForFixesThatDoNotCome) {
   ReceiverWatch watch(0.0);
   EXPECT_FALSE(watch.overdue(5.0));

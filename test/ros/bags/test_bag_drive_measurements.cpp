@@ -10,6 +10,8 @@
 #include "multipath_localization/models/pseudorange/pseudorange.hpp"
 #include "recorded_bag.hpp"
 #include "ros/bags/bag_drive.hpp"
+#include "ros/messages/conversions.hpp"
+#include "ros/messages/heading_conversions.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -38,6 +40,38 @@ TEST(ReadBag, LeavesOutWhatTheNodeRefusesAndSaysSo) {
   EXPECT_EQ(drive.odometry.size(), 21u);
   EXPECT_EQ(drive.notices,
             (std::vector<std::string>{"/gps/fix: not finite, 1 times", "/odom: not finite, 1 times"}));
+}
+
+TEST(ReadBag, TakesHeadingsOfEitherTypeAndNoGyroFromThem) {
+  const std::string imu = record({});
+  {
+    rosbag::Bag bag(imu, rosbag::bagmode::Append);
+    std_msgs::Header header;
+    header.stamp = ros::Time(1005.0);
+    bag.write("/heading", header.stamp, to_message(Heading{1005.0, 1.5, 0.01}, header));
+  }
+  const auto heading_in = [](const Drive& drive) {
+    Heading found;
+    for (const RecordedMeasurement& recorded : drive.measurements) {
+      if (const auto* heading = std::get_if<Heading>(&recorded.measurement)) found = *heading;
+    }
+    return found;
+  };
+  const Drive drive = read_bag(imu, {}, kDatum);
+  EXPECT_NEAR(heading_in(drive).yaw, 1.5, 1e-9);
+  EXPECT_EQ(heading_in(drive).stamp, 1005.0);
+  EXPECT_TRUE(drive.yaw_rates.empty());
+
+  const std::string pose = record({});
+  {
+    rosbag::Bag bag(pose, rosbag::bagmode::Append);
+    auto message = stamped<geometry_msgs::PoseWithCovarianceStamped>(1006.0);
+    message.pose.pose = to_message(Pose2{0.0, 0.0, -1.0});
+    message.pose.covariance[35] = 0.04;
+    bag.write("/heading", message.header.stamp, message);
+  }
+  EXPECT_NEAR(heading_in(read_bag(pose, {}, kDatum)).yaw, -1.0, 1e-9);
+  EXPECT_NEAR(heading_in(read_bag(pose, {}, kDatum)).variance, 0.04, 1e-12);
 }
 
 TEST(ReadBag, AntennaIsWhereTheTransformsHaveIt) {

@@ -7,6 +7,7 @@
 #include "good_fix.hpp"
 #include "ros/fault_injector_node/fault_injector.hpp"
 #include "ros/messages/conversions.hpp"
+#include "ros/messages/heading_conversions.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -46,6 +47,20 @@ TEST(FaultInjector, ConfigFileHoldsTheDefaults) {
   std::stringstream text;
   text << std::ifstream(std::string(CONFIG_DIR) + "/fault_injector.yaml").rdbuf();
   EXPECT_EQ(text.str(), describe(FaultInjectorParameters{}));
+}
+
+TEST(FaultInjector, TurnsHeadingsAndLetsThroughWhatIsNone) {
+  FaultInjector faults = injector("heading: [{kind: offset, size: 1.0, start: 2.0, duration: 2.0}]");
+  for (int i = 0; i < 6; ++i) {
+    std_msgs::Header header;
+    header.stamp = ros::Time(1000.0 + i);
+    const auto out = faults.take_heading(to_message(Heading{1000.0 + i, 3.0, 0.01}, header));
+    ASSERT_EQ(out.size(), 1U);
+    const double expected = wrap_angle(i == 2 || i == 3 ? 4.0 : 3.0);
+    EXPECT_NEAR(to_heading(out.front(), {}, Eigen::Quaterniond::Identity()).heading.yaw, expected, 1e-9) << i;
+  }
+  const sensor_msgs::Imu no_heading;
+  EXPECT_EQ(faults.take_heading(no_heading).size(), 1U);
 }
 
 TEST(FaultInjector, ReadyFaultsLoad) {

@@ -2,6 +2,7 @@
 
 #include "good_epoch.hpp"
 #include "ros/messages/gnss_message.hpp"
+#include "ros/messages/heading_conversions.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -44,6 +45,26 @@ TEST(ToMeasurement, KeepsTheKindAndFindsTheAntennas) {
   EXPECT_EQ(std::get<PseudorangeEpoch>(epoch.measurement).antenna_in_base, kAntenna);
   EXPECT_EQ(satellites_of(epoch.measurement), 13u);
   EXPECT_EQ(satellites_of(fix.measurement), 0u);
+}
+
+TEST(ToMeasurement, TurnsAHeadingAsItsSensorIsMounted) {
+  std_msgs::Header header = good_fix().header;
+  header.frame_id = "compass";
+  const GnssMessage message = to_message(Heading{header.stamp.toSec(), 1.0, 0.01}, header);
+  const RotationFinder across = [](const std::string& frame) {
+    std::optional<Eigen::Quaterniond> found;
+    if (frame == "compass") found = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ());
+    return found;
+  };
+  const CheckedMeasurement checked = to_measurement(message, berlin(), {}, known, across);
+  ASSERT_EQ(checked.reason, Reason::kAccepted);
+  EXPECT_NEAR(std::get<Heading>(checked.measurement).yaw, 0.6, 1e-9);
+  EXPECT_NEAR(std::get<Heading>(read(message).measurement).yaw, 1.0, 1e-9)
+      << "as the base where tf is silent";
+  EXPECT_EQ(name_of(message), "heading");
+  EXPECT_TRUE(frames_of(message).empty()) << "it waits for no antenna";
+  EXPECT_FALSE(place_of(message, {}));
+  EXPECT_NEAR(declared_sigma(message), 0.1, 1e-12);
 }
 
 TEST(ToMeasurement, KeepsWhoseFixItIs) {
