@@ -1,6 +1,5 @@
 #include "evaluation/trace.hpp"
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <variant>
@@ -9,6 +8,7 @@
 #include "evaluation/report.hpp"
 #include "evaluation/text_table.hpp"
 #include "multipath_localization/core/angle.hpp"
+#include "multipath_localization/core/measurement_names.hpp"
 #include "support/plain_numbers.hpp"
 
 namespace multipath_localization {
@@ -138,8 +138,6 @@ void write_estimates(std::ostream& out, const std::vector<Epoch>& epochs, double
 
 /// What became of the measurements the estimator has a model for.
 void write_weighings(std::ostream& out, const RunRecord& run, double start) {
-  constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {"fix", "dual", "epoch",
-                                                                                "velocity", "heading"};
   std::vector<Weighing> used;
   for (const Weighing& weighing : run.weighings) {
     if (weighing.reason != Reason::kUnused) used.push_back(weighing);
@@ -147,7 +145,7 @@ void write_weighings(std::ostream& out, const RunRecord& run, double start) {
   out << "\"weighings\": {";
   Columns(out, used)
       .add("t", [&](const Weighing& w) { return w.stamp - start; })
-      .add("kind", [&](const Weighing& w) { return quoted(kKinds.at(w.kind)); })
+      .add("kind", [&](const Weighing& w) { return quoted(std::string(kMeasurementNames.at(w.kind))); })
       .add("reason", [](const Weighing& w) { return quoted(std::string(to_string(w.reason))); })
       .add("nis", [](const Weighing& w) { return w.nis ? number(*w.nis, 6) : "null"; });
   out << "}";

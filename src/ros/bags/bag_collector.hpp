@@ -65,7 +65,9 @@ class BagCollector {
   /// Whether the bag's transforms tell how its IMU is mounted.
   [[nodiscard]] bool knows_imu() const { return imu_.frame_known(); }
   /// What was left out of each kind of GNSS message.
-  [[nodiscard]] const std::array<ReasonTally, kGnssKinds.size()>& left_out() const { return left_out_; }
+  [[nodiscard]] const std::array<ReasonTally, kMeasurementNames.size()>& left_out() const {
+    return left_out_;
+  }
   /// "TOPIC: REASON, N times" for what was left out.
   [[nodiscard]] std::vector<std::string> refusals() const;
   /// The same in one line in brackets; empty where nothing was.
@@ -108,7 +110,7 @@ class BagCollector {
   bool turns_ = false;  ///< truth has a heading: one that is always zero was never filled in
   std::map<std::string, int> refusals_;
   bool odometry_in_map_ = false;
-  std::array<ReasonTally, kGnssKinds.size()> left_out_;
+  std::array<ReasonTally, kMeasurementNames.size()> left_out_;
 };
 
 }  // namespace multipath_localization

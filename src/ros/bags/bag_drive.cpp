@@ -52,7 +52,7 @@ struct Sighting {
 /// Those of the fixes, without fixes those of the pairs, without pairs those of the epochs that tell.
 std::vector<Sighting> sightings(BagCollector& bag) {
   std::vector<Sighting> all;
-  std::size_t best = kGnssKinds.size();
+  std::size_t best = kMeasurementNames.size();
   for (const ReceivedMessage& received : bag.received()) best = std::min(best, received.message.index());
   for (const ReceivedMessage& received : bag.received()) {
     const auto* fix = std::get_if<ReceiverFix>(&received.message);

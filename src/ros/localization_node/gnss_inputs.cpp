@@ -27,17 +27,19 @@ GnssInputs::GnssInputs(ros::NodeHandle node, const GnssParameters& parameters, c
                        std::size_t receiver = 0) {
     inputs_.push_back({name, kind, receiver, InputMonitor(name, std::move(subscribers), used[kind])});
   };
+  const auto add_lone = [&](std::size_t kind, std::vector<ros::Subscriber> subscribers) {
+    add(std::string(kMeasurementNames[kind]), kind, std::move(subscribers));
+  };
   for (std::size_t receiver = 0; receiver < kMostReceivers; ++receiver) {
     add(fix_name(receiver), kFixKind, {subscribe_fix(node, receiver)}, receiver);
     level_subscribers_.push_back(subscribe_level(node, receiver));
   }
-  add("dual", kDualKind,
-      {node.subscribe("gps/left/fix", kQueue, &GnssInputs::on_left, this, at_once()),
-       node.subscribe("gps/right/fix", kQueue, &GnssInputs::on_right, this, at_once())});
-  add("epoch", kEpochKind, {node.subscribe("gnss/epoch", kQueue, &GnssInputs::on_epoch, this, at_once())});
-  add("velocity", kVelocityKind,
-      {node.subscribe("gps/velocity", kQueue, &GnssInputs::on_velocity, this, at_once())});
-  add("heading", kHeadingKind, {node.subscribe("heading", kQueue, &GnssInputs::on_heading, this, at_once())});
+  add_lone(kDualKind, {node.subscribe("gps/left/fix", kQueue, &GnssInputs::on_left, this, at_once()),
+                       node.subscribe("gps/right/fix", kQueue, &GnssInputs::on_right, this, at_once())});
+  add_lone(kEpochKind, {node.subscribe("gnss/epoch", kQueue, &GnssInputs::on_epoch, this, at_once())});
+  add_lone(kVelocityKind,
+           {node.subscribe("gps/velocity", kQueue, &GnssInputs::on_velocity, this, at_once())});
+  add_lone(kHeadingKind, {node.subscribe("heading", kQueue, &GnssInputs::on_heading, this, at_once())});
 }
 
 ros::Subscriber GnssInputs::subscribe_fix(ros::NodeHandle& node, std::size_t receiver) {
@@ -80,13 +82,13 @@ void GnssInputs::on_right(const sensor_msgs::NavSatFix::ConstPtr& message) {
 }
 
 void GnssInputs::on_epoch(const GnssEpoch::ConstPtr& message) {
-  of("epoch").arrived();
+  of(kMeasurementNames[kEpochKind]).arrived();
   take_(stamped_earlier(*message, delay_));
 }
 
 void GnssInputs::on_velocity(const topic_tools::ShapeShifter::ConstPtr& message) {
   if (const auto velocity = velocity_of(*message)) {
-    of("velocity").arrived();
+    of(kMeasurementNames[kVelocityKind]).arrived();
     take_(stamped_earlier(*velocity, delay_));
   } else {
     ROS_WARN_THROTTLE(kTellEvery, "gps/velocity is a %s: neither TwistWithCovarianceStamped nor TwistStamped",
@@ -96,7 +98,7 @@ void GnssInputs::on_velocity(const topic_tools::ShapeShifter::ConstPtr& message)
 
 void GnssInputs::on_heading(const topic_tools::ShapeShifter::ConstPtr& message) {
   if (const auto heading = heading_of(*message)) {
-    of("heading").arrived();
+    of(kMeasurementNames[kHeadingKind]).arrived();
     take_(stamped_earlier(*heading, delay_));
   } else {
     ROS_WARN_THROTTLE(kTellEvery, "heading is a %s: neither Imu nor PoseWithCovarianceStamped",
@@ -105,7 +107,7 @@ void GnssInputs::on_heading(const topic_tools::ShapeShifter::ConstPtr& message) 
 }
 
 void GnssInputs::add(FixPairing::Side side, const sensor_msgs::NavSatFix& fix) {
-  of("dual").arrived();
+  of(kMeasurementNames[kDualKind]).arrived();
   const FixPairing::Outcome outcome = pairing_.add(side, stamped_earlier(fix, delay_));
   for (const sensor_msgs::NavSatFix& unpaired : outcome.unpaired) give_up_(unpaired);
   if (outcome.pair) take_(*outcome.pair);

@@ -36,7 +36,7 @@ void GnssPipeline::on_message(const GnssMessage& message) {
 void GnssPipeline::on_unpaired(const sensor_msgs::NavSatFix& fix) {
   if (!parts_.enabled) return;
   FixReport report = to_report(ReceiverFix(fix));
-  report.kind = kGnssKinds[kDualKind];
+  report.kind = kMeasurementNames[kDualKind];
   const Reason defect = check(fix, parts_.parameters.gnss.fix);
   publish(reports_.numbered(report), refused(defect == Reason::kAccepted ? Reason::kUnpaired : defect));
 }

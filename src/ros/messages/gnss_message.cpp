@@ -83,7 +83,7 @@ const std_msgs::Header& header(const Message& message) {
 }  // namespace
 
 std::string fix_name(std::size_t receiver) {
-  const std::string name(kGnssKinds[kFixKind]);
+  const std::string name(kMeasurementNames[kFixKind]);
   return receiver == 0 ? name : name + "_" + std::to_string(receiver + 1);
 }
 
@@ -98,12 +98,12 @@ std::string level_topic(std::size_t receiver) {
 
 std::string name_of(const GnssMessage& message) {
   const auto* fix = std::get_if<ReceiverFix>(&message);
-  return fix == nullptr ? std::string(kGnssKinds[message.index()]) : fix_name(fix->receiver);
+  return fix == nullptr ? std::string(kMeasurementNames[message.index()]) : fix_name(fix->receiver);
 }
 
 std::string name_of(const Measurement& measurement) {
   const auto* fix = std::get_if<GnssFix>(&measurement);
-  return fix == nullptr ? std::string(kGnssKinds[measurement.index()]) : fix_name(fix->receiver);
+  return fix == nullptr ? std::string(kMeasurementNames[measurement.index()]) : fix_name(fix->receiver);
 }
 
 void GnssParameters::fields(ParameterVisitor& field) {

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "multipath_localization/core/measurement_names.hpp"
 #include "ros/messages/conversions.hpp"
 #include "ros/messages/epoch_conversions.hpp"
 #include "ros/messages/heading_conversions.hpp"
@@ -31,9 +32,6 @@ struct ReceiverFix : sensor_msgs::NavSatFix {
 using GnssMessage = std::variant<ReceiverFix, FixPair, GnssEpoch, geometry_msgs::TwistWithCovarianceStamped,
                                  sensor_msgs::Imu>;
 
-/// Names of these kinds, by index.
-constexpr std::array<std::string_view, std::variant_size_v<GnssMessage>> kGnssKinds = {"fix", "dual", "epoch",
-                                                                                       "velocity", "heading"};
 /// Receivers of fixes that a robot may have.
 constexpr std::size_t kMostReceivers = 4;
 /// "fix", of further receivers "fix_2", "fix_3" and so on.
@@ -46,8 +44,8 @@ std::string level_topic(std::size_t receiver);
 std::string name_of(const GnssMessage& message);
 std::string name_of(const Measurement& measurement);
 
-using UsedKinds = std::array<bool, kGnssKinds.size()>;
-static_assert(std::variant_size_v<Measurement> == kGnssKinds.size());
+using UsedKinds = std::array<bool, kMeasurementNames.size()>;
+static_assert(std::variant_size_v<GnssMessage> == kMeasurementNames.size());
 
 /// How GNSS messages are read.
 struct GnssParameters {
