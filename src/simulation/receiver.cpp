@@ -27,7 +27,8 @@ void ReceiverParameters::fields(ParameterVisitor& field) {
   field("latency_jitter", latency_jitter, {0.0, 60.0}, "s", "added to it at most, uniformly");
   field("antenna_x", antenna_x, {-100.0, 100.0}, "m", "antenna in base, forwards");
   field("antenna_y", antenna_y, {-100.0, 100.0}, "m", "antenna in base, to the left");
-  field("antenna_z", antenna_z, {0.0, 100.0}, "m", "satellites: antenna above the ground");
+  field("antenna_z", antenna_z, {0.0, 100.0}, "m",
+        "antenna in base, upwards: satellites see it there, and slopes lean it");
   field("sigma_open", sigma_open, {0.0, 1e3}, "m", "white noise of each component under open sky");
   field("sigma_shadow", sigma_shadow, {0.0, 1e3}, "m", "white noise of each component in a zone");
   field("coloured_sigma", coloured_sigma, {0.0, 1e3}, "m",
@@ -48,28 +49,28 @@ Receiver::Receiver(const ReceiverParameters& parameters, const std::vector<Outag
 
 Eigen::Vector2d Receiver::antenna_in_base() const { return {parameters_.antenna_x, parameters_.antenna_y}; }
 
-void Receiver::measure(const Pose2& base_in_map, const Reception& reception, double time) {
+void Receiver::measure(const Eigen::Vector2d& antenna_in_map, const Reception& reception, double time) {
   RandomStream random(seed_, steps_, kReceiverNoiseStream);
   const double sigma = reception.in_shadow ? parameters_.sigma_shadow : parameters_.sigma_open;
   const double declared =
       reception.in_shadow ? parameters_.declared_sigma_shadow : parameters_.declared_sigma_open;
   GnssFix fix;
   fix.stamp = time;
-  fix.position = base_in_map * antenna_in_base() + reception.bias + coloured_.value() +
-                 normal2(random, sigma);  // Eq. (9) of [NIS]
+  fix.position =
+      antenna_in_map + reception.bias + coloured_.value() + normal2(random, sigma);  // Eq. (9) of [NIS]
   fix.covariance = declared * declared * Eigen::Matrix2d::Identity();
   fix.antenna_in_base = antenna_in_base();
   const double late = parameters_.latency + parameters_.latency_jitter * random.uniform();
   under_way_.send(fix, time + late);
 }
 
-std::vector<GnssFix> Receiver::step(const Pose2& base_in_map, const Reception& reception, double time,
-                                    double duration) {
+std::vector<GnssFix> Receiver::step(const Eigen::Vector2d& antenna_in_map, const Reception& reception,
+                                    double time, double duration) {
   RandomStream random(seed_, ++steps_, kReceiverStream);
   coloured_.step(duration, random);
 
   const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
-  if (due > emitted_ && !outage_at(outages_, time)) measure(base_in_map, reception, time);
+  if (due > emitted_ && !outage_at(outages_, time)) measure(antenna_in_map, reception, time);
   emitted_ = due;
 
   return under_way_.take(time);

@@ -50,16 +50,16 @@ class Receiver {
   Receiver(const ReceiverParameters& parameters, const std::vector<OutageParameters>& outages,
            std::uint64_t seed);
 
-  /// Watches one step of `duration` that ended at `time` [s] with the base at `base_in_map`. Returns the
-  /// fixes delivered by now: each arrives its latency after its stamp, in order of stamps.
-  std::vector<GnssFix> step(const Pose2& base_in_map, const Reception& reception, double time,
+  /// Watches one step of `duration` that ended at `time` [s] with the antenna at `antenna_in_map` [m].
+  /// Returns the fixes delivered by now: each arrives its latency after its stamp, in order of stamps.
+  std::vector<GnssFix> step(const Eigen::Vector2d& antenna_in_map, const Reception& reception, double time,
                             double duration);
 
   [[nodiscard]] Eigen::Vector2d antenna_in_base() const;
   [[nodiscard]] const ReceiverParameters& parameters() const { return parameters_; }
 
  private:
-  void measure(const Pose2& base_in_map, const Reception& reception, double time);
+  void measure(const Eigen::Vector2d& antenna_in_map, const Reception& reception, double time);
 
   ReceiverParameters parameters_;
   std::vector<OutageParameters> outages_;

@@ -36,8 +36,9 @@ SecondReceiver::SecondReceiver(const SecondReceiverParameters& parameters,
 
 std::vector<GnssFix> SecondReceiver::step(const Pose2& base_in_map, double time, double duration) {
   zones_.step(duration);
-  const Reception around = zones_.around(base_in_map * receiver_.antenna_in_base());
-  std::vector<GnssFix> fixes = receiver_.step(base_in_map, around, time, duration);
+  const Eigen::Vector2d antenna_in_map = base_in_map * receiver_.antenna_in_base();
+  const Reception around = zones_.around(antenna_in_map);
+  std::vector<GnssFix> fixes = receiver_.step(antenna_in_map, around, time, duration);
   for (GnssFix& fix : fixes) fix.receiver = 1;
   return fixes;
 }

@@ -6,12 +6,24 @@
 
 namespace multipath_localization {
 
+namespace {
+
+/// The receiver's, on the base as levelled at that place in map [m].
+Eigen::Vector2d antenna_at(const Pose2& base_in_map, const SimulatorParameters& parameters) {
+  const ReceiverParameters& receiver = parameters.receiver;
+  const Tilt tilt = parameters.ground.tilt(base_in_map);
+  return levelled(tilt, {receiver.antenna_x, receiver.antenna_y, receiver.antenna_z});
+}
+
+}  // namespace
+
 void SimulatorParameters::fields(ParameterVisitor& field) {
   field("time_step", time_step, {1e-4, 1.0}, "s", "Delta of [NIS]");
   field("datum_latitude_deg", datum_latitude_deg, {-90.0, 90.0}, "deg", "origin of the map, north");
   field("datum_longitude_deg", datum_longitude_deg, {-180.0, 180.0}, "deg", "origin of the map, east");
   field("datum_altitude", datum_altitude, {-1e4, 1e5}, "m", "origin of the map, above the ellipsoid");
   field.group("robot", robot, "reference point in the middle of the rear or of the driven axle");
+  field.group("ground", ground, "slopes: the robot drives at its speed over the map");
   field.group("odometer", odometer, "wheel odometry and gyro");
   field.group("receiver", receiver, "GNSS receiver");
   field.group("second_receiver", second_receiver, "another GNSS receiver, beside the first one");
@@ -52,7 +64,7 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
                     LocalFrame(parameters_.datum()), seed);
     satellite_receiver_.emplace(parameters_.receiver, parameters_.outages, std::move(raw), seed);
   } else {
-    reception_ = zones_.around(robot_.pose() * receiver_.antenna_in_base());
+    reception_ = zones_.around(robot_.pose() * antenna_at(robot_.pose(), parameters_));
   }
 }
 
@@ -62,8 +74,9 @@ std::vector<Measurement> Simulator::receive(double duration) {
     reception_ = satellite_receiver_->reception();
     return delivered;
   }
-  reception_ = zones_.around(robot_.pose() * receiver_.antenna_in_base());
-  const std::vector<GnssFix> fixes = receiver_.step(robot_.pose(), reception_, time(), duration);
+  const Eigen::Vector2d antenna_in_map = robot_.pose() * antenna_at(robot_.pose(), parameters_);
+  reception_ = zones_.around(antenna_in_map);
+  const std::vector<GnssFix> fixes = receiver_.step(antenna_in_map, reception_, time(), duration);
   return {fixes.begin(), fixes.end()};
 }
 
@@ -93,15 +106,15 @@ std::vector<YawRate> Simulator::turn_rates() {
 }
 
 std::vector<GnssVelocity> Simulator::velocities(double duration) {
-  const Eigen::Vector2d antenna = receiver_.antenna_in_base();
-  const Eigen::Vector2d swing = robot_.yaw_rate() * Eigen::Vector2d(-antenna.y(), antenna.x());
+  const Eigen::Vector2d lever = antenna_at(robot_.pose(), parameters_);
+  const Eigen::Vector2d swing = robot_.yaw_rate() * Eigen::Vector2d(-lever.y(), lever.x());
   const Eigen::Vector2d velocity =
       rotation(robot_.pose().yaw) * (Eigen::Vector2d(robot_.speed(), robot_.lateral_speed()) + swing);
   for (GnssVelocity read : velocity_receiver_.step(velocity, reception_.in_shadow, time(), duration)) {
     const auto spoilt = velocity_faults_.spoil(read.stamp, {read.velocity.x(), read.velocity.y(), 0.0});
     if (!spoilt || outage_at(parameters_.outages, read.stamp)) continue;
     read.velocity = spoilt->value.head<2>();
-    read.antenna_in_base = antenna;
+    read.antenna_in_base = receiver_.antenna_in_base();
     velocities_under_way_.send(read, time() + spoilt->delay);
   }
   return velocities_under_way_.take(time());
@@ -114,8 +127,9 @@ Readings Simulator::step(const MotionCommand& u) {
   robot_.step(u, duration);
   Readings readings;
   readings.yaw_rates = turn_rates();
-  readings.odometry = odometer_.step(robot_, time(), duration);
-  if (readings.odometry) readings.odometry = odometry_faults_.spoil(*readings.odometry);
+  if (const auto level = odometer_.step(robot_, time(), duration)) {
+    readings.odometry = odometry_faults_.spoil(along_ground(parameters_.ground.tilt(robot_.pose()), *level));
+  }
   readings.measurements = spoilt(receive(duration));
   for (const GnssFix& fix : second_receiver_.step(robot_.pose(), time(), duration)) {
     readings.measurements.emplace_back(fix);

@@ -11,6 +11,7 @@
 #include "simulation/constellations.hpp"
 #include "simulation/dual_receiver.hpp"
 #include "simulation/faults.hpp"
+#include "simulation/ground.hpp"
 #include "simulation/gyro.hpp"
 #include "simulation/odometer.hpp"
 #include "simulation/raw_receiver.hpp"
@@ -30,6 +31,7 @@ struct SimulatorParameters {
   double datum_longitude_deg = 130.839;
   double datum_altitude = 30.0;
   RobotParameters robot;
+  GroundParameters ground;
   OdometerParameters odometer;
   ReceiverParameters receiver;
   SecondReceiverParameters second_receiver;

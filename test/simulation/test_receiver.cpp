@@ -20,7 +20,8 @@ std::vector<Delivered> watch(Receiver receiver, double duration, const Pose2& ba
   const auto steps = std::lround(duration / 0.01);
   for (long i = 1; i <= steps; ++i) {
     const double time = static_cast<double>(i) * 0.01;
-    for (const GnssFix& fix : receiver.step(base, reception, time, 0.01)) all.push_back({time, fix});
+    for (const GnssFix& fix : receiver.step(base * receiver.antenna_in_base(), reception, time, 0.01))
+      all.push_back({time, fix});
   }
   return all;
 }

@@ -125,6 +125,13 @@ std::optional<Eigen::Vector2d> AntennaFrames::in_base(const std::string& frame) 
   return {};
 }
 
+double AntennaFrames::height_in_base(const std::string& frame) const {
+  const std::string name = without_slash(frame);
+  if (name.empty() || name == frames_.base_link_frame) return 0.0;
+  const std::optional<Eigen::Isometry3d> now = pose(name, frames_.base_link_frame);
+  return now ? now->translation().z() : 0.0;
+}
+
 std::optional<Eigen::Quaterniond> AntennaFrames::rotation_in_base(const std::string& frame) const {
   const std::string name = without_slash(frame);
   if (name.empty() || name == frames_.base_link_frame) return Eigen::Quaterniond::Identity();

@@ -40,6 +40,10 @@ class AntennaFrames {
   /// own give zero; nothing where it does not ride on the robot or no transform joins the two.
   std::optional<Eigen::Vector2d> in_base(const std::string& frame);
 
+  /// How high the origin of a frame is above the base's, along the base's z axis [m]. An empty frame and the
+  /// base's own give zero, as does one that no transform joins to it.
+  [[nodiscard]] double height_in_base(const std::string& frame) const;
+
   /// How a frame that rides on the robot is turned against the base, wherever it is. An empty frame and the
   /// base's own are not; nothing where no transform joins the two.
   [[nodiscard]] std::optional<Eigen::Quaterniond> rotation_in_base(const std::string& frame) const;

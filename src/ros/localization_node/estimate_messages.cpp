@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "multipath_localization/core/covariance.hpp"
+#include "ros/messages/tilt_conversions.hpp"
 
 namespace multipath_localization {
 
@@ -18,9 +19,10 @@ constexpr std::size_t kYX = 6, kYawX = 30, kYawY = 31;                          
 
 }  // namespace
 
-geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate) {
+geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate, const Tilt& tilt) {
   geometry_msgs::PoseWithCovariance message;
   message.pose = to_message(estimate.pose);
+  message.pose.orientation = to_orientation(estimate.pose.yaw, tilt);
   const Eigen::Matrix3d covariance = covariance_overall(estimate);
   message.covariance[kX] = covariance(0, 0);
   message.covariance[kXY] = message.covariance[kYX] = covariance(0, 1);
@@ -31,14 +33,14 @@ geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate) {
   return message;
 }
 
-nav_msgs::Odometry to_odometry(const PoseEstimate& estimate, const nav_msgs::Odometry& odometry,
+nav_msgs::Odometry to_odometry(const PoseEstimate& estimate, const ReadOdometry& odometry,
                                const std::string& map_frame, const std::string& base_frame) {
   nav_msgs::Odometry message;
-  message.header.stamp = odometry.header.stamp;
+  message.header.stamp = odometry.message.header.stamp;
   message.header.frame_id = map_frame;
   message.child_frame_id = base_frame;
-  message.pose = to_message(estimate);
-  message.twist = odometry.twist;
+  message.pose = to_message(estimate, odometry.tilt);
+  message.twist = odometry.message.twist;
   return message;
 }
 

@@ -13,6 +13,7 @@
 #include "multipath_localization/LocalizationState.h"
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/localization/localizer.hpp"
+#include "ros/localization_node/odometry_log.hpp"
 #include "ros/messages/gnss_message.hpp"
 
 /// What the estimators know, as messages. Frames and axes: conversions.hpp.
@@ -20,11 +21,11 @@ namespace multipath_localization {
 
 /// Row-major 6x6 over x, y, z and turns about fixed axes; z, roll and pitch are zero. The x-y block is that
 /// of all hypotheses, so that a consumer is not told more than is known; the rest is that of the dominant
-/// one.
-geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate);
+/// one. A tilt is in the orientation alone.
+geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate, const Tilt& tilt = {});
 
-/// The estimate in `map_frame`, with stamp and twist of the odometry it stands for.
-nav_msgs::Odometry to_odometry(const PoseEstimate& estimate, const nav_msgs::Odometry& odometry,
+/// The estimate in `map_frame`, with stamp, twist and tilt of the odometry it stands for.
+nav_msgs::Odometry to_odometry(const PoseEstimate& estimate, const ReadOdometry& odometry,
                                const std::string& map_frame, const std::string& base_frame);
 
 /// A fix in map, without heading; the child frame is that of the antenna.

@@ -76,8 +76,10 @@ void GnssPipeline::weigh(const GnssMessage& message) {
   const double now = parts_.odometry.stamp().toSec();
   if (antennas_.waits(message, now, ros::WallTime::now().toSec())) return unplaced_.push_back(message);
   const GnssParameters& gnss = parts_.parameters.gnss;
+  const double stamp = header_of(message).stamp.toSec();
   const CheckedMeasurement checked = to_measurement(
-      message, *parts_.datum.map(), gnss, [this](const std::string& frame) { return antenna_in_base(frame); },
+      message, *parts_.datum.map(), gnss,
+      [&](const std::string& frame) { return antenna_in_base(frame, stamp); },
       [this](const std::string& frame) { return parts_.tf.antennas().rotation_in_base(frame); });
   if (checked.reason == Reason::kInvalidPosition) {
     const std::optional<Geodetic> place = place_of(message, gnss);
@@ -97,14 +99,16 @@ void GnssPipeline::weigh_waiting() {
   hooks_.answer();
 }
 
-std::optional<Eigen::Vector2d> GnssPipeline::antenna_in_base(const std::string& frame) {
+std::optional<Eigen::Vector2d> GnssPipeline::antenna_in_base(const std::string& frame, double stamp) {
   const LocalizationParameters& parameters = parts_.parameters;
   const std::optional<Eigen::Vector2d> antenna = parts_.tf.antennas().in_base(frame);
   if (parts_.diagnostics.set_antenna_frame(frame, antenna || !parameters.gnss.antenna.empty())) {
     ROS_WARN("no transform from %s to %s%s", parameters.frames.base_link_frame.c_str(),
              parts_.tf.antennas().described(frame).c_str(), parameters.gnss.otherwise_at().c_str());
   }
-  return antenna;
+  if (!antenna) return std::nullopt;
+  const double height = parts_.tf.antennas().height_in_base(frame);
+  return levelled(parts_.tilt.at(stamp), {antenna->x(), antenna->y(), height});
 }
 
 void GnssPipeline::publish_done() {

@@ -16,6 +16,7 @@
 #include "ros/localization_node/odometry_log.hpp"
 #include "ros/localization_node/report_ledger.hpp"
 #include "ros/localization_node/tf_watch.hpp"
+#include "ros/localization_node/tilt_input.hpp"
 
 namespace multipath_localization {
 
@@ -30,6 +31,7 @@ class GnssPipeline {
     Datum& datum;
     MapServices& map_services;
     TfWatch& tf;
+    const TiltInput& tilt;
     LocalizationOutputs& outputs;
     LocalizationDiagnostics& diagnostics;
     Backlog& backlog;
@@ -68,8 +70,8 @@ class GnssPipeline {
   /// Reports a measurement as refused.
   void refuse(const GnssMessage& message, Reason reason, const std::string& detail = "");
   void publish(FixReport report, const Innovation& innovation, const std::string& detail = "");
-  /// The antenna of a frame on the base, nothing where tf does not know.
-  std::optional<Eigen::Vector2d> antenna_in_base(const std::string& frame);
+  /// The antenna of a frame on the base as levelled at a stamp [s], nothing where tf does not know.
+  std::optional<Eigen::Vector2d> antenna_in_base(const std::string& frame, double stamp);
 
   Parts parts_;
   Hooks hooks_;

@@ -68,6 +68,9 @@ void LocalizationDiagnostics::report() {
   if (inputs_.gyro.monitor().seen() && shown_.insert("gyro").second) {
     updater_.add("gyro", this, &LocalizationDiagnostics::report_gyro);
   }
+  if (inputs_.tilt.seen() && shown_.insert("tilt").second) {
+    updater_.add("tilt", this, &LocalizationDiagnostics::report_tilt);
+  }
   updater_.force_update();
 }
 
@@ -114,6 +117,14 @@ void LocalizationDiagnostics::report_gyro(Status& status) {
   const InputMonitor::Standing standing = inputs_.gyro.standing(localizer_.gyro());
   summarise(status, inputs_.gyro.monitor());
   status.summary(standing.sound ? DiagnosticStatus::OK : DiagnosticStatus::WARN, standing.sentence);
+}
+
+void LocalizationDiagnostics::report_tilt(Status& status) {
+  const InputMonitor::Standing standing = inputs_.tilt.standing();
+  status.summary(standing.sound ? DiagnosticStatus::OK : DiagnosticStatus::WARN, standing.sentence);
+  const Tilt tilt = inputs_.tilt.now();
+  status.add("roll [rad]", tilt.roll);
+  status.add("pitch [rad]", tilt.pitch);
 }
 
 void LocalizationDiagnostics::report_filter(Status& status) {

@@ -14,6 +14,7 @@
 #include "ros/localization_node/gyro_input.hpp"
 #include "ros/localization_node/localization_parameters.hpp"
 #include "ros/localization_node/tf_watch.hpp"
+#include "ros/localization_node/tilt_input.hpp"
 
 namespace multipath_localization {
 
@@ -22,10 +23,11 @@ struct LocalizationInputs {
   const GnssInputs& gnss;
   const InputMonitor& odometry;
   const GyroInput& gyro;
+  const TiltInput& tilt;
 };
 
-/// Statuses on /diagnostics, each one sentence and its figures: odometry, filter, tf, once there is one the
-/// gyro, and for each input of GNSS that the estimator uses or that is published one of its name.
+/// Statuses on /diagnostics, each one sentence and its figures: odometry, filter, tf, once there are any
+/// gyro and tilt, and for each input of GNSS that the estimator uses or that is published one of its name.
 class LocalizationDiagnostics {
  public:
   /// Looks at its arguments whenever it reports; they have to outlive it.
@@ -49,6 +51,7 @@ class LocalizationDiagnostics {
   void report_gnss(Status& status, const GnssInput& input);
   void report_odometry(Status& status);
   void report_gyro(Status& status);
+  void report_tilt(Status& status);
   void report_filter(Status& status);
   void report_tf(Status& status);
 

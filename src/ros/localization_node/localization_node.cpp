@@ -10,6 +10,11 @@ namespace {
 constexpr double kLongestHeld = 0.1;      ///< odometry that is summed up [s]
 constexpr double kWaitForMessages = 0.1;  ///< [s]
 
+/// Whether the pose knows no slopes: one that has roll and pitch moves by the way over the map already.
+bool is_planar(const nav_msgs::Odometry& odometry) {
+  return odometry.pose.pose.orientation.x == 0.0 && odometry.pose.pose.orientation.y == 0.0;
+}
+
 }  // namespace
 
 LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private_node,
@@ -32,19 +37,22 @@ LocalizationNode::LocalizationNode(ros::NodeHandle node, ros::NodeHandle private
                  [this] { diagnostics_.note("switched off by ~toggle"); }}),
       odometry_(node, parameters_.odometry, parameters_.frames.map_frame,
                 [this](const nav_msgs::Odometry& message) { on_odometry(message); }),
+      tilt_(node, parameters_.tilt,
+            [this](const std::string& frame) { return tf_.antennas().rotation_in_base(frame); }),
       gnss_(node, settings.used_kinds(),
-            {parameters_, localizer_, datum_, map_services_, tf_, outputs_, diagnostics_, backlog_,
+            {parameters_, localizer_, datum_, map_services_, tf_, tilt_, outputs_, diagnostics_, backlog_,
              answers_.odometry(), requests_.enabled()},
             {[this] { watch_clock(); }, [this] { catch_up(); }, [this] { answer(); },
              [this](const std::string& why) { restart(why); }}),
       gyro_(
           node, [this](const std::string& frame) { return tf_.antennas().rotation_in_base(frame); },
           [this](const YawRate& yaw_rate) {
-            if (requests_.enabled()) localizer_.add(yaw_rate);
+            if (requests_.enabled()) localizer_.add(over_map(tilt_.at(yaw_rate.stamp), yaw_rate));
           }),
-      diagnostics_({gnss_.inputs(), odometry_.monitor(), gyro_}, localizer_, tf_, backlog_, parameters_),
-      reports_(node,
-               {diagnostics_, gnss_.inputs(), odometry_.monitor(), gyro_, localizer_, requests_.enabled()}),
+      diagnostics_({gnss_.inputs(), odometry_.monitor(), gyro_, tilt_}, localizer_, tf_, backlog_,
+                   parameters_),
+      reports_(node, {diagnostics_, gnss_.inputs(), odometry_.monitor(), gyro_, tilt_, localizer_,
+                      requests_.enabled()}),
       reconfiguration_(private_node, [this](ParameterVisitor& field) { tune(field); }),
       backlog_(parameters_.max_lag) {
   tf_timer_ =
@@ -85,12 +93,15 @@ void LocalizationNode::on_odometry(const nav_msgs::Odometry& message) {
   if (checked.restarted) restart_time("the stamps of odometry have jumped");
   if (checked.reason != Reason::kAccepted) return;
   const ros::WallTime begin = ros::WallTime::now();
-  if (const auto before = odometry_.held().add(checked.increment)) localizer_.add(*before);
+  tilt_.drive(checked.increment);
+  const Tilt tilt = tilt_.at(checked.increment.stamp);
+  const OdometryIncrement driven = is_planar(message) ? over_map(tilt, checked.increment) : checked.increment;
+  if (const auto before = odometry_.held().add(driven)) localizer_.add(*before);
   OdometryLog& log = answers_.odometry();
-  if (log.note({with_motion(message, checked.increment), checked.base_in_odom})) resume();
+  if (log.note({with_motion(message, checked.increment), checked.base_in_odom, tilt})) resume();
   log.await_answer();
   if (parameters_.outputs.publish_odom_tf && tf_.broadcaster_of_base().empty()) {
-    answers_.map_to_odom().send_odometry(checked.base_in_odom, message.header.stamp);
+    answers_.map_to_odom().send_odometry(checked.base_in_odom, tilt, message.header.stamp);
   }
   if (backlog_.take(begin) && odometry_.held().duration() < kLongestHeld) return backlog_.count_merged();
   answer_odometry();

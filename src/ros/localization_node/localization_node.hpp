@@ -18,6 +18,7 @@
 #include "ros/localization_node/pose_answers.hpp"
 #include "ros/localization_node/restart_requests.hpp"
 #include "ros/localization_node/tf_watch.hpp"
+#include "ros/localization_node/tilt_input.hpp"
 #include "ros/map/datum.hpp"
 #include "ros/parameters/reconfiguration.hpp"
 
@@ -62,6 +63,7 @@ class LocalizationNode {
   PoseAnswers answers_;
   RestartRequests requests_;
   OdometryInput odometry_;
+  TiltInput tilt_;
   GnssPipeline gnss_;
   GyroInput gyro_;
   LocalizationDiagnostics diagnostics_;

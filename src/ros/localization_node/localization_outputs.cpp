@@ -34,13 +34,13 @@ std_msgs::Header LocalizationOutputs::in_map(const ros::Time& stamp) const {
 }
 
 void LocalizationOutputs::publish(const Localizer& localizer, const PoseEstimate& estimate,
-                                  const nav_msgs::Odometry& odometry, const LocalFrame& map) {
-  const std_msgs::Header header = in_map(odometry.header.stamp);
+                                  const ReadOdometry& odometry, const LocalFrame& map) {
+  const std_msgs::Header header = in_map(odometry.message.header.stamp);
   odometry_.publish(to_odometry(estimate, odometry, frames_.map_frame, frames_.base_link_frame));
   if (pose_.getNumSubscribers() > 0) {
     geometry_msgs::PoseWithCovarianceStamped pose;
     pose.header = header;
-    pose.pose = to_message(estimate);
+    pose.pose = to_message(estimate, odometry.tilt);
     pose_.publish(pose);
   }
   const Trust trust = localizer.state();

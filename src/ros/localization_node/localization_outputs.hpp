@@ -9,6 +9,7 @@
 #include "multipath_localization/core/geodesy.hpp"
 #include "multipath_localization/localization/localizer.hpp"
 #include "ros/localization_node/localization_parameters.hpp"
+#include "ros/localization_node/odometry_log.hpp"
 #include "ros/localization_node/trail.hpp"
 
 namespace multipath_localization {
@@ -21,7 +22,7 @@ class LocalizationOutputs {
 
   /// The estimate as the pose that belongs to one odometry message; particles, state, markers and path at
   /// most at `cloud_rate`.
-  void publish(const Localizer& localizer, const PoseEstimate& estimate, const nav_msgs::Odometry& odometry,
+  void publish(const Localizer& localizer, const PoseEstimate& estimate, const ReadOdometry& odometry,
                const LocalFrame& map);
 
   /// The state alone, latched, when it is not the one published last.

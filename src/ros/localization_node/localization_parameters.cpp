@@ -51,6 +51,8 @@ void LocalizationParameters::fields(ParameterVisitor& field) {
       "without a datum, map's origin is the median of the fixes (of raw epochs the least-squares solutions) "
       "of this time, 0: the first; either begins with three that agree");
   gnss.fields(field);
+  field("tilt", tilt,
+        "whether roll and pitch of imu/data level antennas and the way driven, where tf has its mounting");
   field.group("odometry", odometry, "how odometry is read");
   field.group("localizer", localizer, "how late and missing measurements are treated");
   refuse_relative("datum_file", datum_file);

@@ -43,6 +43,7 @@ struct LocalizationParameters {
   double max_lag = 0.3;
   double datum_averaging = 0.0;
   GnssParameters gnss;
+  bool tilt = true;
   OdometryParameters odometry;
   LocalizerParameters localizer;
 

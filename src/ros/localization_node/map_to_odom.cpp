@@ -1,5 +1,7 @@
 #include "ros/localization_node/map_to_odom.hpp"
 
+#include "ros/messages/tilt_conversions.hpp"
+
 namespace multipath_localization {
 
 MapToOdom::MapToOdom(const FrameParameters& frames, const OutputParameters& outputs)
@@ -32,7 +34,7 @@ void MapToOdom::broadcast(const ros::Time& stamp) {
   broadcaster_.sendTransform(message);
 }
 
-void MapToOdom::send_odometry(const Pose2& base_in_odom, const ros::Time& stamp) {
+void MapToOdom::send_odometry(const Pose2& base_in_odom, const Tilt& tilt, const ros::Time& stamp) {
   if (stamp <= last_odometry_sent_) return;
   last_odometry_sent_ = stamp;
   geometry_msgs::TransformStamped message;
@@ -40,6 +42,7 @@ void MapToOdom::send_odometry(const Pose2& base_in_odom, const ros::Time& stamp)
   message.header.frame_id = frames_.odom_frame;
   message.child_frame_id = frames_.base_link_frame;
   message.transform = to_transform(base_in_odom);
+  message.transform.rotation = to_orientation(base_in_odom.yaw, tilt);
   broadcaster_.sendTransform(message);
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "multipath_localization/core/tilt.hpp"
 #include "ros/localization_node/localization_parameters.hpp"
 
 namespace multipath_localization {
@@ -29,8 +30,8 @@ class MapToOdom {
   /// the odometry has been silent for longer than `longest_silence` [s].
   void keep_up(const ros::Time& now, double longest_silence);
 
-  /// Sends the odometry's own pose as odom -> base_link.
-  void send_odometry(const Pose2& base_in_odom, const ros::Time& stamp);
+  /// Sends the odometry's own pose, and the tilt, as odom -> base_link.
+  void send_odometry(const Pose2& base_in_odom, const Tilt& tilt, const ros::Time& stamp);
 
   /// Forgets the last correction and its stamp.
   void clear();

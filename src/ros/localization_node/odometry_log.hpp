@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "multipath_localization/core/pose.hpp"
+#include "multipath_localization/core/tilt.hpp"
 
 namespace multipath_localization {
 
@@ -14,6 +15,7 @@ namespace multipath_localization {
 struct ReadOdometry {
   nav_msgs::Odometry message;  ///< its twist is the motion read from it
   Pose2 base_in_odom;
+  Tilt tilt;  ///< of the base then
 };
 
 /// The last odometry, and that of the last moments which no pose has answered as yet.

@@ -25,6 +25,7 @@ void PeriodicReports::report() {
   parts_.diagnostics.report();
   parts_.gnss.tell_new();
   parts_.gyro.tell(parts_.localizer.gyro());
+  parts_.tilt.tell();
 }
 
 void PeriodicReports::tell_what_is_missing() const {

@@ -6,6 +6,7 @@
 #include "ros/localization_node/gnss_inputs.hpp"
 #include "ros/localization_node/gyro_input.hpp"
 #include "ros/localization_node/localization_diagnostics.hpp"
+#include "ros/localization_node/tilt_input.hpp"
 
 namespace multipath_localization {
 
@@ -18,6 +19,7 @@ class PeriodicReports {
     GnssInputs& gnss;
     const InputMonitor& odometry;
     GyroInput& gyro;
+    TiltInput& tilt;
     const Localizer& localizer;
     const bool& enabled;  ///< inputs are waited for
   };

@@ -32,7 +32,7 @@ std::optional<unsigned> PoseAnswers::publish(const Localizer& localizer, const D
   for (const ReadOdometry& odometry : odometry_.take_unanswered()) {
     PoseEstimate then = estimate;
     then.pose = odom_in_map * odometry.base_in_odom;
-    outputs_.publish(localizer, then, odometry.message, *datum.map());
+    outputs_.publish(localizer, then, odometry, *datum.map());
     ++poses;
   }
   if (!estimate.aligned) map_to_odom_.jump();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ros/messages/conversions.hpp"
+#include "ros/messages/tilt_conversions.hpp"
 
 namespace multipath_localization {
 
@@ -20,15 +21,6 @@ constexpr double kNoiseVariance = 4e-6;  // that is declared: (0.002 rad/s)^2
 constexpr std::size_t kMostFrames = 10;  // that are remembered as unknown
 
 Eigen::Vector3d vector_of(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
-
-/// The orientation where the message tells one.
-std::optional<Eigen::Quaterniond> orientation_of(const sensor_msgs::Imu& message) {
-  const geometry_msgs::Quaternion& q = message.orientation;
-  const Eigen::Quaterniond orientation(q.w, q.x, q.y, q.z);
-  if (message.orientation_covariance[0] == -1.0) return std::nullopt;
-  if (!(std::abs(orientation.norm() - 1.0) <= kQuaternionTolerance)) return std::nullopt;
-  return orientation.normalized();
-}
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 
 #include "ros/messages/conversions.hpp"
 #include "ros/messages/imu_conversions.hpp"
+#include "ros/messages/tilt_conversions.hpp"
 #include "ros/simulator_node/world_markers.hpp"
 
 namespace multipath_localization {
@@ -113,7 +114,7 @@ void SimulatorNode::step() {
   }
   scan_->step(simulator_.truth(), simulator_.time(), stamp(simulator_.time()));
   for (const YawRate& yaw_rate : readings.yaw_rates) {
-    imu_.publish(to_message(yaw_rate, header(stamp(yaw_rate.stamp), parameters_.frames.base_link_frame)));
+    publish_imu(yaw_rate);
   }
   if (readings.odometry) {
     publish_odometry(*readings.odometry);
@@ -122,6 +123,13 @@ void SimulatorNode::step() {
   for (const Measurement& measurement : readings.measurements) {
     gnss_->publish(measurement, simulator_.claimed_status(stamp_of(measurement)));
   }
+}
+
+void SimulatorNode::publish_imu(const YawRate& yaw_rate) {
+  const std_msgs::Header own = header(stamp(yaw_rate.stamp), parameters_.frames.base_link_frame);
+  const bool level = parameters_.simulator.ground.slope == 0.0;
+  const Tilt tilt = parameters_.simulator.ground.tilt(simulator_.truth());
+  imu_.publish(level ? to_message(yaw_rate, own) : to_message(yaw_rate, own, tilt));
 }
 
 void SimulatorNode::publish_odometry(const OdometryIncrement& increment) {
@@ -149,7 +157,9 @@ void SimulatorNode::publish_truth() {
   nav_msgs::Odometry message;
   message.header = header(stamp(simulator_.time()), parameters_.frames.map_frame);
   message.child_frame_id = parameters_.frames.base_link_frame;
+  const Tilt tilt = parameters_.simulator.ground.tilt(simulator_.truth());
   message.pose.pose = to_message(simulator_.truth());
+  message.pose.pose.orientation = to_orientation(simulator_.truth().yaw, tilt);
   message.twist.twist.linear.x = simulator_.speed();
   message.twist.twist.linear.y = simulator_.lateral_speed();
   message.twist.twist.angular.z = simulator_.yaw_rate();

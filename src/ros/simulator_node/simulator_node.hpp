@@ -41,6 +41,7 @@ class SimulatorNode {
   void take(const MotionCommand& command);
   void tick();
   void step();
+  void publish_imu(const YawRate& yaw_rate);
   void publish_odometry(const OdometryIncrement& increment);
   void publish_truth();
   [[nodiscard]] ros::Time stamp(double time) const { return origin_ + ros::Duration(time); }

@@ -42,6 +42,16 @@ TEST(AntennaFrames, TheBaseItselfNeedsNoTransform) {
   EXPECT_TRUE(IsAt(frames.in_base("/base_link"), 0.0, 0.0));
 }
 
+TEST(AntennaFrames, TellsHowHighAFrameIs) {
+  AntennaFrames frames({});
+  geometry_msgs::TransformStamped mast = joint("base_link", "gps", 0.4, 0.3);
+  mast.transform.translation.z = 1.2;
+  frames.add(mast, true);
+  EXPECT_EQ(frames.height_in_base("/gps"), 1.2);
+  EXPECT_EQ(frames.height_in_base("base_link"), 0.0);
+  EXPECT_EQ(frames.height_in_base("elsewhere"), 0.0);
+}
+
 TEST(AntennaFrames, TurnsAndChainsAreFollowed) {
   AntennaFrames frames({});
   frames.add(joint("base_link", "mast", 1.0, 0.0, 0.5 * kPi), true);

@@ -35,6 +35,23 @@ TEST(ToMessage, FillsARowMajorSixBySix) {
   EXPECT_EQ(covariance.block(2, 0, 3, 6).cwiseAbs().sum(), 0.0);
 }
 
+TEST(ToOdometry, HasStampTwistAndTiltOfTheOdometryItStandsFor) {
+  ReadOdometry odometry;
+  odometry.message.header.stamp = ros::Time(12.5);
+  odometry.message.twist.twist.linear.x = 1.5;
+  odometry.tilt = {0.1, -0.2};
+  const nav_msgs::Odometry message = to_odometry(some_estimate(), odometry, "map", "base_link");
+  EXPECT_EQ(message.header.stamp, ros::Time(12.5));
+  EXPECT_EQ(message.twist.twist.linear.x, 1.5);
+  const geometry_msgs::Quaternion& q = message.pose.pose.orientation;
+  const Eigen::Quaterniond read(q.w, q.x, q.y, q.z);
+  const Tilt tilt = tilt_of(read.conjugate() * Eigen::Vector3d::UnitZ());
+  EXPECT_NEAR(tilt.roll, 0.1, 1e-9);
+  EXPECT_NEAR(tilt.pitch, -0.2, 1e-9);
+  const Eigen::Vector3d forwards = read * Eigen::Vector3d::UnitX();
+  EXPECT_NEAR(std::atan2(forwards.y(), forwards.x()), 2.0, 1e-9);
+}
+
 TEST(ToPoseArray, CapsTheCloudAndKeepsItsSpread) {
   std::vector<Hypothesis> cloud(1000);
   for (std::size_t i = 0; i < cloud.size(); ++i) cloud[i].pose.x = static_cast<double>(i);
