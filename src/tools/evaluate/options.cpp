@@ -8,12 +8,12 @@ const char* const kAfterwards = R"(
 The table has one line per estimator: means over the seeds, in metres where nothing else is said.
   epochs         truth samples scored; 'without': those without an estimate, which are not scored
   95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, where they are not;
-                 by satellites: where those in line of sight are not the majority of those received, where they are
+                 by satellites: where most are not in line of sight, where they are
   off s <=       longest time without a break that the estimate was off by --off-from or more, worst seed
   beyond ...     longest time without a break that it was outside its own 3 sigma ellipse, worst seed
   NEES           error squared over declared variance, 2 is ideal; 'in 95 %' [%] inside the declared ellipse
-  waypoints >=   passed by the follower in the seed with the fewest
-  missed by <=   the farthest the robot truly was from a waypoint it passed, in the worst seed
+  waypoints >=   passed in the seed with the fewest
+  missed by <=   the farthest the robot truly was from one it passed, worst seed
 What suites over drives end with, for all drives and for each kind of receiver:
   rmse           geometric mean over the drives
   to best other  geometric mean of the RMSE over that of the best of fixes, gated_ekf and two_stage_ekf
@@ -40,32 +40,29 @@ po::options_description stream_options() {
       "'drives:DIR': every recording in DIR, fixes and odometry alone. These two also run gated_ekf and "
       "two_stage_ekf and end with how all stand");
   add("fix-topic", text("A,B"),
-      "of the bag, with or without leading slash, of one receiver or several; gps/fix with gps_2/fix, ..., "
-      "or "
-      "the only NavSatFix");
+      "of the bag, of one receiver or several; gps/fix with gps_2/fix, ..., or the only NavSatFix");
   add("epoch-topic", text("TOPIC"), "gnss/epoch, or the only GnssEpoch");
   add("left-topic", text("TOPIC"), "NavSatFix of the left one of two antennas; gps/left/fix");
   add("right-topic", text("TOPIC"), "of the right one; gps/right/fix");
   add("imu-topic", text("TOPIC"), "imu/data, or the only Imu");
   add("velocity-topic", text("TOPIC"),
-      "velocity of a receiver, with covariance or without; gps/velocity, or the only fix_velocity or vel");
+      "of a receiver, with covariance or without; gps/velocity, or the only fix_velocity or vel");
   add("heading-topic", text("TOPIC"), "Imu or PoseWithCovarianceStamped; heading");
   add("level-topic", text("TOPIC"),
       "levels of fixes: gps_common/GPSFix or ublox_msgs/NavPVT; gps/level, or the only one");
   add("without", text("A,B"),
-      "inputs of a recording to leave out: gyro, velocity, receivers (all but the first), heading, levels "
-      "(of RTK)");
+      "inputs of a recording to leave out: gyro, velocity, receivers (all but the first), heading, levels");
   add("odom-topic", text("TOPIC"), "odom, or the only Odometry besides truth");
   add("truth-topic", text("TOPIC"), "truth; without it nothing is scored");
   add("shadow-topic", text("TOPIC"), "Vector3Stamped, z = 1 where fixes are biased; truth/bias if there");
   add("faults", text("FILE"),
-      "inject these faults: keys as in config/fault_injector.yaml, ready files in config/faults; each run of "
-      "a "
-      "recording has those of its seed; zones lie in the frame of truth");
+      "inject these faults: keys as in config/fault_injector.yaml, ready files in config/faults; zones lie "
+      "in "
+      "the frame of truth");
   add("datum", text("LAT,LON[,ALT]"),
       "origin of the frame of a bag's truth [deg, m]; left out: that of a static transform earth -> that "
-      "frame, else where the median of fix - truth is zero, over the fixes under open sky where a shadow "
-      "topic tells which those are, else over all");
+      "frame, else where the median of fix - truth is zero, over the fixes that are told to be under open "
+      "sky");
   return options;
 }
 
@@ -96,8 +93,7 @@ po::options_description run_options() {
   add("json", text("FILE"), "write the figures of each run");
   add("results", po::value<std::vector<std::string>>()->multitoken()->value_name("FILE"),
       "keep the runs of --suite random in FILE as they end, make only those it lacks; without a suite: how "
-      "the "
-      "runs in FILE, or several, stand");
+      "the runs in FILE, or several, stand");
   add("write", text("DIR"),
       "instead of running anything: write the drives of --suite random as DIR/random_SEED");
   add("plot", text("FILE.png"), "draw the first seed: trajectories, error and declared error over time");
