@@ -7,7 +7,7 @@ namespace po = boost::program_options;
 const char* const kAfterwards = R"(
 The table has one line per estimator: means over the seeds, in metres where nothing else is said.
   epochs         truth samples scored; 'without': those without an estimate, which are not scored
-  95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, where they are not;
+  95 %, max      of the position errors; shadow, open: RMSE where fixes are biased, and are not;
                  by satellites: where most are not in line of sight, where they are
   off s <=       longest time without a break that the estimate was off by --off-from or more, worst seed
   beyond ...     longest time without a break that it was outside its own 3 sigma ellipse, worst seed
@@ -20,7 +20,7 @@ What suites over drives end with, for all drives and for each kind of receiver:
   to oracle      the same over that of a filter that knows what is wrong with each fix, and all constants
   behind         share of drives on which it is over 10 % worse than the best other
   beyond         share on which it was outside its own 3 sigma for over 5 s, over 30 s without a break
-Exit status: 0 when every run ended, 1 when one did not, 2 when the command line or the data cannot be used.
+Exit status: 0 when every run ended, 1 when one did not, 2 when command line or data cannot be used.
 )";
 
 po::options_description stream_options() {
@@ -85,9 +85,9 @@ po::options_description run_options() {
   add("known-start", "start at the true pose; unknown otherwise");
   add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
       "a parameter of all estimators, of one as NAME.KEY, of the localizer as localizer.KEY, of a scenario "
-      "as simulator.KEY and steering.KEY; nested keys are joined by dots; may be repeated");
+      "as simulator.KEY and steering.KEY; nested keys joined by dots; may be repeated");
   add("off-from", po::value<double>()->default_value(2.0)->value_name("M"),
-      "the estimate counts as off from an error of M metres on");
+      "an error of M metres or more counts as off");
   add("score-from", po::value<double>()->value_name("S"),
       "score from S seconds on; left out: 60 for suites over drives, else 0");
   add("json", text("FILE"), "write the figures of each run");
