@@ -32,6 +32,11 @@ std::vector<TruthSample> truth_of(const RandomRobot& robot) {
   return truth;
 }
 
+template <class Reading>
+void append(const std::vector<Reading>& readings, Drive& drive) {
+  for (const Reading& reading : readings) drive.measurements.push_back({reading, reading.stamp});
+}
+
 void add_extras(const RandomExtras& extras, std::uint64_t seed, const RandomRobot& robot, Drive& drive) {
   if (extras.gyro) {
     for (const YawRate& read : read_gyro(draw_gyro(seed), robot.steps, seed)) {
@@ -39,15 +44,9 @@ void add_extras(const RandomExtras& extras, std::uint64_t seed, const RandomRobo
     }
   }
   if (extras.velocity) {
-    for (const GnssVelocity& read : read_velocities(draw_velocity(seed), robot.receiver, robot.steps, seed)) {
-      drive.measurements.push_back({read, read.stamp});
-    }
+    append(read_velocities(draw_velocity(seed), robot.receiver, robot.steps, seed), drive);
   }
-  if (extras.heading) {
-    for (const Heading& read : read_headings(draw_heading(seed), robot.steps, seed)) {
-      drive.measurements.push_back({read, read.stamp});
-    }
-  }
+  if (extras.heading) append(read_headings(draw_heading(seed), robot.steps, seed), drive);
   if (extras.receivers) {
     RandomStream random(seed, 1, kRandomReceiverStream);
     const RandomReceiver second = draw_receiver(random, robot.steps, robot.way.speed);

@@ -9,6 +9,6 @@ namespace multipath_localization::multipath {
 
 /// Draws whether headings are outliers, and corrects by them a hypothesis that believes them, equation (23).
 /// Returns the logarithm of their density [1/rad].
-double explain_heading(Hypothesis& hypothesis, const HeadingSighting& sighting, RandomStream& random);
+double explain_heading(Hypothesis& h, const HeadingSighting& z, RandomStream& random);
 
 }  // namespace multipath_localization::multipath

@@ -80,6 +80,8 @@ double weigh_by(const std::vector<Evidence>& evidence, double tempered, bool sta
   return expected;
 }
 
+double weight_if(bool held, double weight) { return held ? weight : 0.0; }
+
 /// Lets the hypotheses go on with the laws of the level that a receiver tells, if it is another one.
 void follow_level(FixLevel level, FixLevel& told, std::vector<Hypothesis>& hypotheses, std::uint64_t seed,
                   std::uint32_t step) {
@@ -225,10 +227,10 @@ void HypothesisCloud::refresh() {
     m.white_variance +=
         w * (h.law.white_variance() * square(h.level) + (h.in_shadow ? square(h.shadow_law.noise) : 0.0));
     m.slow_variance += w * square(h.law.slow_sigma() * h.level);
-    m.shadow += h.in_shadow ? w : 0.0;
-    m.wheel_fault += h.wheel_fault.any() ? w : 0.0;
-    velocity += h.velocity.believed && !h.velocity.outlier ? w : 0.0;
-    heading += h.heading.believed && !h.heading.outlier ? w : 0.0;
+    m.shadow += weight_if(h.in_shadow, w);
+    m.wheel_fault += weight_if(h.wheel_fault.any(), w);
+    velocity += weight_if(h.velocity.believed && !h.velocity.outlier, w);
+    heading += weight_if(h.heading.believed && !h.heading.outlier, w);
   }
   if (aids_.velocity) m.velocity = velocity;
   if (aids_.heading) m.heading = heading;
