@@ -96,27 +96,32 @@ void write_yaw_rates(const Drive& drive, const fs::path& folder) {
   file.close();
 }
 
-void write_velocities(const Drive& drive, const fs::path& folder) {
+/// Writes measurements of one kind, where there are any; `write_row` writes one with its time of arrival.
+template <class Kind, class WriteRow>
+void write_kind(const Drive& drive, const fs::path& path, const std::string& header, WriteRow write_row) {
   std::optional<CsvFile> file;
   for (const auto& [measurement, arrival] : drive.measurements) {
-    const auto* velocity = std::get_if<GnssVelocity>(&measurement);
-    if (velocity == nullptr) continue;
-    if (!file) file.emplace(folder / "velocity.csv", "t,east_mps,north_mps,sigma_mps,t_arrival");
-    file->row(velocity->stamp, velocity->velocity.x(), velocity->velocity.y(),
-              mean_sigma(velocity->covariance), arrival);
+    const auto* made = std::get_if<Kind>(&measurement);
+    if (made == nullptr) continue;
+    if (!file) file.emplace(path, header);
+    write_row(*file, *made, arrival);
   }
   if (file) file->close();
 }
 
+void write_velocities(const Drive& drive, const fs::path& folder) {
+  write_kind<GnssVelocity>(drive, folder / "velocity.csv", "t,east_mps,north_mps,sigma_mps,t_arrival",
+                           [](CsvFile& file, const GnssVelocity& made, double arrival) {
+                             file.row(made.stamp, made.velocity.x(), made.velocity.y(),
+                                      mean_sigma(made.covariance), arrival);
+                           });
+}
+
 void write_headings(const Drive& drive, const fs::path& folder) {
-  std::optional<CsvFile> file;
-  for (const auto& [measurement, arrival] : drive.measurements) {
-    const auto* heading = std::get_if<Heading>(&measurement);
-    if (heading == nullptr) continue;
-    if (!file) file.emplace(folder / "heading.csv", "t,yaw_rad,sigma_rad,t_arrival");
-    file->row(heading->stamp, heading->yaw, std::sqrt(heading->variance), arrival);
-  }
-  if (file) file->close();
+  write_kind<Heading>(drive, folder / "heading.csv", "t,yaw_rad,sigma_rad,t_arrival",
+                      [](CsvFile& file, const Heading& made, double arrival) {
+                        file.row(made.stamp, made.yaw, std::sqrt(made.variance), arrival);
+                      });
 }
 
 /// Why a directory is no drive to be run, or nothing.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "multipath_localization/core/angle.hpp"
 #include "simulation/streams.hpp"
@@ -48,15 +49,17 @@ std::vector<RecordedYawRate> through(SensorFaults faults, const std::vector<Reco
   return out;
 }
 
-/// Of the measurements the headings, whose third number they are.
-std::vector<RecordedMeasurement> headings_through(SensorFaults faults,
-                                                  const std::vector<RecordedMeasurement>& all) {
+/// Of the measurements those of one kind, which are told as `read` gives them; `write` puts back what became
+/// of that.
+template <class Kind, class Read, class Write>
+std::vector<RecordedMeasurement> through(SensorFaults faults, const std::vector<RecordedMeasurement>& all,
+                                         Read read, Write write) {
   std::vector<RecordedMeasurement> out;
   for (RecordedMeasurement recorded : all) {
-    if (auto* heading = std::get_if<Heading>(&recorded.measurement)) {
-      const auto spoilt = faults.spoil(heading->stamp, {0.0, 0.0, heading->yaw});
+    if (auto* told = std::get_if<Kind>(&recorded.measurement)) {
+      const auto spoilt = faults.spoil(told->stamp, read(*told));
       if (!spoilt) continue;
-      heading->yaw = wrap_angle(spoilt->value.z());
+      write(*told, spoilt->value);
       recorded.arrival += spoilt->delay;
     }
     out.push_back(recorded);
@@ -65,21 +68,19 @@ std::vector<RecordedMeasurement> headings_through(SensorFaults faults,
   return out;
 }
 
-/// Of the measurements the velocities.
-std::vector<RecordedMeasurement> through(SensorFaults faults, const std::vector<RecordedMeasurement>& all) {
-  std::vector<RecordedMeasurement> out;
-  for (RecordedMeasurement recorded : all) {
-    if (auto* velocity = std::get_if<GnssVelocity>(&recorded.measurement)) {
-      const Eigen::Vector3d told(velocity->velocity.x(), velocity->velocity.y(), 0.0);
-      const auto spoilt = faults.spoil(velocity->stamp, told);
-      if (!spoilt) continue;
-      velocity->velocity = spoilt->value.head<2>();
-      recorded.arrival += spoilt->delay;
-    }
-    out.push_back(recorded);
-  }
-  sort_by_arrival(out);
-  return out;
+std::vector<RecordedMeasurement> velocities_through(SensorFaults faults,
+                                                    const std::vector<RecordedMeasurement>& all) {
+  return through<GnssVelocity>(
+      std::move(faults), all,
+      [](const GnssVelocity& told) { return Eigen::Vector3d(told.velocity.x(), told.velocity.y(), 0.0); },
+      [](GnssVelocity& told, const Eigen::Vector3d& value) { told.velocity = value.head<2>(); });
+}
+
+std::vector<RecordedMeasurement> headings_through(SensorFaults faults,
+                                                  const std::vector<RecordedMeasurement>& all) {
+  return through<Heading>(
+      std::move(faults), all, [](const Heading& told) { return Eigen::Vector3d(0.0, 0.0, told.yaw); },
+      [](Heading& told, const Eigen::Vector3d& value) { told.yaw = wrap_angle(value.z()); });
 }
 
 }  // namespace
@@ -89,8 +90,8 @@ Drive spoilt(const Drive& drive, const FaultParameters& faults, std::uint64_t se
   result.odometry = through(OdometryFaults(faults.odometry, seed, drive.start()), drive.odometry);
   result.measurements = through(FixFaults(faults.fix, seed, drive.start()), drive.measurements);
   result.measurements =
-      through(SensorFaults(faults.velocity, "velocity", seed, kVelocityFaultStream, drive.start()),
-              result.measurements);
+      velocities_through(SensorFaults(faults.velocity, "velocity", seed, kVelocityFaultStream, drive.start()),
+                         result.measurements);
   result.measurements = headings_through(
       SensorFaults(faults.heading, "heading", seed, kHeadingFaultStream, drive.start()), result.measurements);
   result.yaw_rates =

@@ -8,7 +8,7 @@
 #include "evaluation/report.hpp"
 #include "evaluation/text_table.hpp"
 #include "multipath_localization/core/angle.hpp"
-#include "multipath_localization/core/measurement_names.hpp"
+#include "multipath_localization/core/measurement_kinds.hpp"
 #include "support/plain_numbers.hpp"
 
 namespace multipath_localization {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "multipath_localization/core/measurement_kinds.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -14,7 +16,7 @@ constexpr std::array<const char*, std::variant_size_v<Measurement>> kKinds = {
 }  // namespace
 
 void LastAccepted::note(const Measurement& measurement) {
-  if (measurement.index() == kVelocityKind || measurement.index() == kHeadingKind) return;
+  if (!tells_position(measurement.index())) return;
   std::optional<double>& last = stamps_[measurement.index()];
   last = std::max(last.value_or(stamp_of(measurement)), stamp_of(measurement));
 }

@@ -1,9 +1,8 @@
 #include "simulation/compass.hpp"
 
-#include <cmath>
-
 #include "multipath_localization/core/angle.hpp"
 #include "multipath_localization/core/random.hpp"
+#include "simulation/periods.hpp"
 #include "simulation/streams.hpp"
 #include "support/numbers.hpp"
 
@@ -23,7 +22,7 @@ Compass::Compass(const CompassParameters& parameters, const std::vector<SensorFa
 
 std::vector<Heading> Compass::step(double yaw, double time) {
   ++steps_;
-  const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
+  const auto due = periods(time, parameters_.rate);
   if (due > emitted_) {
     RandomStream random(seed_, steps_, kCompassStream);
     const bool outlier = random.uniform() < parameters_.outlier_share;

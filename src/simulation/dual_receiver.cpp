@@ -1,8 +1,7 @@
 #include "simulation/dual_receiver.hpp"
 
-#include <cmath>
-
 #include "multipath_localization/core/random.hpp"
+#include "simulation/periods.hpp"
 #include "simulation/streams.hpp"
 
 namespace multipath_localization {
@@ -41,7 +40,7 @@ DualAntennaFix DualReceiver::measure(const Pose2& base_in_map, const BiasAt& bia
 
 std::vector<DualAntennaFix> DualReceiver::step(const Pose2& base_in_map, const BiasAt& bias_at, double time) {
   ++steps_;
-  const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
+  const auto due = periods(time, parameters_.rate);
   if (due > emitted_ && !outage_at(outages_, time)) {
     under_way_.push_back(measure(base_in_map, bias_at, time));
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/random.hpp"
+#include "simulation/periods.hpp"
 #include "simulation/streams.hpp"
 
 namespace multipath_localization {
@@ -22,7 +23,7 @@ Gyro::Gyro(const GyroParameters& parameters, std::uint64_t seed) : parameters_(p
 
 std::optional<YawRate> Gyro::step(double yaw_rate, double time) {
   ++steps_;
-  const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
+  const auto due = periods(time, parameters_.rate);
   if (due <= emitted_) return std::nullopt;
   emitted_ = due;
   RandomStream random(seed_, steps_, kGyroStream);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "simulation/periods.hpp"
 #include "simulation/streams.hpp"
 #include "support/plane.hpp"
 
@@ -42,7 +43,7 @@ Laser::Laser(const LaserParameters& parameters, const std::vector<BuildingParame
 }
 
 bool Laser::due(double time) {
-  const auto due = static_cast<std::uint32_t>(std::floor(time * parameters_.rate + 1e-6));
+  const auto due = static_cast<std::uint32_t>(periods(time, parameters_.rate));
   if (due <= scans_) return false;
   scans_ = due;
   return true;

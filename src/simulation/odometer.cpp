@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "multipath_localization/core/random.hpp"
+#include "simulation/periods.hpp"
 #include "simulation/streams.hpp"
 
 namespace multipath_localization {
@@ -63,7 +64,7 @@ std::optional<OdometryIncrement> Odometer::step(const Robot& robot, double time,
   turn_ += (told ? yaw_rate(robot.command(), robot.parameters().wheelbase) : robot.yaw_rate()) * duration;
   elapsed_ += duration;
 
-  const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
+  const auto due = periods(time, parameters_.rate);
   if (due <= emitted_) return std::nullopt;
   emitted_ = due;
 

@@ -1,9 +1,9 @@
 #include "simulation/receiver.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "multipath_localization/core/random.hpp"
+#include "simulation/periods.hpp"
 #include "simulation/streams.hpp"
 
 namespace multipath_localization {
@@ -69,7 +69,7 @@ std::vector<GnssFix> Receiver::step(const Eigen::Vector2d& antenna_in_map, const
   RandomStream random(seed_, ++steps_, kReceiverStream);
   coloured_.step(duration, random);
 
-  const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
+  const auto due = periods(time, parameters_.rate);
   if (due > emitted_ && !outage_at(outages_, time)) measure(antenna_in_map, reception, time);
   emitted_ = due;
 

@@ -1,9 +1,9 @@
 #include "simulation/receiver_schedule.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "multipath_localization/core/random.hpp"
+#include "simulation/periods.hpp"
 #include "simulation/streams.hpp"
 
 namespace multipath_localization {
@@ -13,7 +13,7 @@ ReceiverSchedule::ReceiverSchedule(const ReceiverParameters& parameters,
     : parameters_(parameters), outages_(outages), seed_(seed) {}
 
 bool ReceiverSchedule::due(double time) {
-  const auto epochs = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
+  const auto epochs = periods(time, parameters_.rate);
   if (epochs == epochs_) return false;
   epochs_ = epochs;
   return !outage_at(outages_, time);

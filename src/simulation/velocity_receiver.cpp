@@ -1,7 +1,6 @@
 #include "simulation/velocity_receiver.hpp"
 
-#include <cmath>
-
+#include "simulation/periods.hpp"
 #include "simulation/streams.hpp"
 #include "support/numbers.hpp"
 
@@ -30,7 +29,7 @@ std::vector<GnssVelocity> VelocityReceiver::step(const Eigen::Vector2d& velocity
   lagging_.send(velocity, time + parameters_.lag);
   for (const Eigen::Vector2d& then : lagging_.take(time)) told_ = then;
   slow_.step(duration, random_);
-  const auto due = static_cast<std::int64_t>(std::floor(time * parameters_.rate + 1e-6));
+  const auto due = periods(time, parameters_.rate);
   if (due <= emitted_) return under_way_.take(time);
   emitted_ = due;
   GnssVelocity made;

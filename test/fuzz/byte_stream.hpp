@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace multipath_localization::fuzz {
 
@@ -22,6 +23,15 @@ class ByteStream {
     Message message;
     ros::serialization::deserialize(in_, message);
     return message;
+  }
+
+  /// As many as the next byte says, at most 255: ROS's own lists make room for any length that they claim
+  /// before they look for the bytes.
+  template <class Element>
+  std::vector<Element> take_list() {
+    std::vector<Element> list(take<std::uint8_t>());
+    for (Element& element : list) element = take<Element>();
+    return list;
   }
 
  private:

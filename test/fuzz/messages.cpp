@@ -69,9 +69,7 @@ class Node {
   void take_epoch() {
     GnssEpoch message;
     message.header = in_.take<std_msgs::Header>();
-    for (int count = in_.take<std::uint8_t>(); count > 0; --count) {
-      message.pseudoranges.push_back(in_.take<Pseudorange>());
-    }
+    message.pseudoranges = in_.take_list<Pseudorange>();
     const auto place = solve_geodetic(message, EpochParameters{});
     require(!place || (valid(*place) && std::isfinite(place->altitude)), "an epoch leads to no place");
     const CheckedEpoch checked = to_epoch(message, map_, EpochParameters{});
@@ -99,7 +97,11 @@ class Node {
   }
 
   void take_joints() {
-    const auto message = in_.take<sensor_msgs::JointState>();
+    sensor_msgs::JointState message;
+    message.header = in_.take<std_msgs::Header>();
+    message.name = in_.take_list<std::string>();
+    message.position = in_.take_list<double>();
+    message.velocity = in_.take_list<double>();
     check(wheels_.take(message.header.stamp.toSec(), read_joints(message, {{"a"}, {"b"}, {}}).readings));
   }
 

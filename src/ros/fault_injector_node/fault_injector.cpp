@@ -17,14 +17,6 @@ bool same(const OdometryIncrement& a, const OdometryIncrement& b) {
   return a.speed == b.speed && a.yaw_rate == b.yaw_rate && a.lateral_speed == b.lateral_speed;
 }
 
-geometry_msgs::Vector3 vector_of(const Eigen::Vector3d& v) {
-  geometry_msgs::Vector3 message;
-  message.x = v.x();
-  message.y = v.y();
-  message.z = v.z();
-  return message;
-}
-
 }  // namespace
 
 void FaultInjectorParameters::fields(ParameterVisitor& field) {
@@ -64,7 +56,7 @@ std::vector<sensor_msgs::Imu> FaultInjector::take(const sensor_msgs::Imu& imu) {
   const geometry_msgs::Vector3& rate = imu.angular_velocity;
   if (const auto spoilt = gyro_faults_->spoil(stamp, {rate.x, rate.y, rate.z})) {
     sensor_msgs::Imu message = imu;
-    message.angular_velocity = vector_of(spoilt->value);
+    message.angular_velocity = to_message(spoilt->value);
     imus_.send(message, stamp + spoilt->delay);
   }
   return imus_.take(now_);
@@ -78,7 +70,7 @@ std::vector<geometry_msgs::TwistWithCovarianceStamped> FaultInjector::take(
   const geometry_msgs::Vector3& told = velocity.twist.twist.linear;
   if (const auto spoilt = velocity_faults_->spoil(stamp, {told.x, told.y, told.z})) {
     geometry_msgs::TwistWithCovarianceStamped message = velocity;
-    message.twist.twist.linear = vector_of(spoilt->value);
+    message.twist.twist.linear = to_message(spoilt->value);
     velocities_.send(message, stamp + spoilt->delay);
   }
   return velocities_.take(now_);

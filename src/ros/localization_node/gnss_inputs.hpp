@@ -26,7 +26,7 @@ struct GnssInput {
 
   /// Whether it belongs to what is waited for: a further receiver only once it has been heard.
   [[nodiscard]] bool counts() const { return monitor.awaited() && (receiver == 0 || monitor.seen()); }
-  [[nodiscard]] bool tells_position() const { return kind != kVelocityKind && kind != kHeadingKind; }
+  [[nodiscard]] bool tells_position() const { return multipath_localization::tells_position(kind); }
 };
 
 /// Subscribes to `gps/fix`, `gps_2/fix`, ... of further receivers, with `gps/level`, `gps_2/level`, ...,

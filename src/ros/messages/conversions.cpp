@@ -169,6 +169,16 @@ geometry_msgs::Pose to_message(const Pose2& pose) {
   return message;
 }
 
+geometry_msgs::Vector3 to_message(const Eigen::Vector3d& vector) {
+  geometry_msgs::Vector3 message;
+  message.x = vector.x();
+  message.y = vector.y();
+  message.z = vector.z();
+  return message;
+}
+
+Eigen::Vector3d vector_of(const geometry_msgs::Vector3& message) { return {message.x, message.y, message.z}; }
+
 std::string defect_of(const geometry_msgs::PoseWithCovarianceStamped& message) {
   const geometry_msgs::Pose& pose = message.pose.pose;
   const double length = length_of(pose.orientation);

@@ -115,6 +115,10 @@ std::optional<Pose2> to_pose2(const geometry_msgs::Pose& pose);
 bool has_orientation(const geometry_msgs::Pose& pose);
 geometry_msgs::Pose to_message(const Pose2& pose);
 
+/// The same numbers.
+geometry_msgs::Vector3 to_message(const Eigen::Vector3d& vector);
+Eigen::Vector3d vector_of(const geometry_msgs::Vector3& message);
+
 /// A start from a pose with covariance; one of all zeros stands for 0.5 m, 0.5 m and 15 degrees. Nothing when
 /// that is no `usable` start, or the quaternion is of four zeros.
 std::optional<PosePrior> to_prior(const geometry_msgs::PoseWithCovarianceStamped& message);

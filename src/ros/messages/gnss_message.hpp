@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "multipath_localization/core/measurement_names.hpp"
+#include "multipath_localization/core/measurement_kinds.hpp"
 #include "ros/messages/conversions.hpp"
 #include "ros/messages/epoch_conversions.hpp"
 #include "ros/messages/heading_conversions.hpp"

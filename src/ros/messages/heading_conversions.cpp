@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ros/messages/conversions.hpp"
+#include "ros/messages/tilt_conversions.hpp"
 #include "support/numbers.hpp"
 
 namespace multipath_localization {
@@ -12,11 +13,6 @@ namespace {
 
 constexpr std::size_t kImuYaw = 8;           ///< in a row-major 3x3
 constexpr std::size_t kRoll = 21, kSix = 6;  ///< in a row-major 6x6: the block of roll, pitch and yaw
-
-Eigen::Quaterniond orientation_of(const sensor_msgs::Imu& message) {
-  const geometry_msgs::Quaternion& q = message.orientation;
-  return {q.w, q.x, q.y, q.z};
-}
 
 /// Of x of the rotated frame, about the vertical [rad].
 double yaw_of(const Eigen::Quaterniond& rotation) {
@@ -34,9 +30,7 @@ Reason check(const sensor_msgs::Imu& message) {
   if (message.header.stamp.isZero()) return Reason::kZeroStamp;
   if (!is_short(message.header.frame_id)) return Reason::kInvalidFrame;
   if (message.orientation_covariance[0] == -1.0) return Reason::kUnused;
-  if (!(std::abs(orientation_of(message).norm() - 1.0) <= kQuaternionTolerance)) {
-    return Reason::kInvalidOrientation;
-  }
+  if (!orientation_of(message)) return Reason::kInvalidOrientation;
   const double variance = message.orientation_covariance[kImuYaw];
   return std::isfinite(variance) && variance >= 0.0 ? Reason::kAccepted : Reason::kInvalidCovariance;
 }
@@ -47,8 +41,7 @@ CheckedHeading to_heading(const sensor_msgs::Imu& message, const HeadingParamete
   checked.reason = check(message);
   if (checked.reason != Reason::kAccepted) return checked;
   const double variance = message.orientation_covariance[kImuYaw];
-  checked.heading = {message.header.stamp.toSec(),
-                     yaw_of(orientation_of(message).normalized() * in_base.conjugate()),
+  checked.heading = {message.header.stamp.toSec(), yaw_of(*orientation_of(message) * in_base.conjugate()),
                      variance > 0.0 ? variance : square(parameters.default_sigma)};
   return checked;
 }

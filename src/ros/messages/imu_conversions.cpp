@@ -20,8 +20,6 @@ constexpr double kAlike = 0.87;          // cosine of 30 degrees: more is no err
 constexpr double kNoiseVariance = 4e-6;  // that is declared: (0.002 rad/s)^2
 constexpr std::size_t kMostFrames = 10;  // that are remembered as unknown
 
-Eigen::Vector3d vector_of(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
-
 }  // namespace
 
 CheckedYawRate ImuReader::read(const sensor_msgs::Imu& message) {

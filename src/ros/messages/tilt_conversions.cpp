@@ -12,18 +12,10 @@ namespace {
 constexpr double kGravity = 9.81;       // [m/s^2]
 constexpr double kTiltVariance = 1e-4;  // that is declared of a tilt [rad^2] and of gravity [m^2/s^4]
 
-geometry_msgs::Vector3 to_vector(const Eigen::Vector3d& from) {
-  geometry_msgs::Vector3 to;
-  to.x = from.x();
-  to.y = from.y();
-  to.z = from.z();
-  return to;
-}
-
 /// The vector in the base; nothing where its variance is unknown or it is not finite.
 std::optional<Eigen::Vector3d> in_base(const Eigen::Quaterniond& imu_in_base,
                                        const geometry_msgs::Vector3& vector, double variance) {
-  const Eigen::Vector3d read(vector.x, vector.y, vector.z);
+  const Eigen::Vector3d read = vector_of(vector);
   if (variance == -1.0 || !read.allFinite()) return std::nullopt;
   return imu_in_base * read;
 }
@@ -69,7 +61,7 @@ sensor_msgs::Imu to_message(const YawRate& yaw_rate, const std_msgs::Header& hea
   sensor_msgs::Imu message = to_message(yaw_rate, header);
   const Eigen::Vector3d up = up_in_base(tilt);
   message.angular_velocity.z = yaw_rate.rate * std::cos(tilt.pitch) / std::cos(tilt.roll);
-  message.linear_acceleration = to_vector(kGravity * up);
+  message.linear_acceleration = to_message(kGravity * up);
   message.orientation = to_orientation(0.0, tilt);
   for (const std::size_t axis : {0U, 4U, 8U}) {
     message.orientation_covariance[axis] = message.linear_acceleration_covariance[axis] = kTiltVariance;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ros/messages/conversions.hpp"
+
 namespace multipath_localization {
 
 namespace {
@@ -26,10 +28,7 @@ nav_msgs::Odometry to_odometry(const ros::Time& stamp, const OdometryIncrement& 
   message.header.stamp = stamp;
   message.header.frame_id = parameters.odom_frame;
   message.child_frame_id = parameters.base_link_frame;
-  message.pose.pose.position.x = base_in_odom.x;
-  message.pose.pose.position.y = base_in_odom.y;
-  message.pose.pose.orientation.z = std::sin(0.5 * base_in_odom.yaw);
-  message.pose.pose.orientation.w = std::cos(0.5 * base_in_odom.yaw);
+  message.pose.pose = to_message(base_in_odom);
   message.twist.twist.linear.x = motion.speed;
   message.twist.twist.linear.y = motion.lateral_speed;
   message.twist.twist.angular.z = motion.yaw_rate;

@@ -275,6 +275,12 @@ TEST(ToTransform, IsThePoseOfTheChild) {
   EXPECT_NEAR(2.0 * std::atan2(transform.rotation.z, transform.rotation.w), 2.0, 1e-12);
 }
 
+TEST(Vectors, KeepTheirNumbersThereAndBack) {
+  const Eigen::Vector3d vector(1.0, -2.0, 3.5);
+  EXPECT_EQ(to_message(vector).y, -2.0);
+  EXPECT_EQ(vector_of(to_message(vector)), vector);
+}
+
 TEST(Frames, LoseALeadingSlash) {
   EXPECT_EQ(without_slash("/gps"), "gps");
   EXPECT_EQ(without_slash("gps"), "gps");

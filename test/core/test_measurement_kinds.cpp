@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "multipath_localization/core/measurement_names.hpp"
+#include "multipath_localization/core/measurement_kinds.hpp"
 
 namespace multipath_localization {
 namespace {
@@ -13,6 +13,11 @@ TEST(MeasurementNames, StandAtTheIndexOfTheirKind) {
   EXPECT_EQ(name(PseudorangeEpoch{}), "epoch");
   EXPECT_EQ(name(GnssVelocity{}), "velocity");
   EXPECT_EQ(name(Heading{}), "heading");
+}
+
+TEST(MeasurementKinds, TellPlacesOrMotionAndHeading) {
+  for (const std::size_t kind : {kFixKind, kDualKind, kEpochKind}) EXPECT_TRUE(tells_position(kind));
+  for (const std::size_t kind : {kVelocityKind, kHeadingKind}) EXPECT_FALSE(tells_position(kind));
 }
 
 }  // namespace
