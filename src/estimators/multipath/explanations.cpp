@@ -31,8 +31,7 @@ constexpr double kLongGap = 30.0;                // in which that may have happe
 constexpr double kNearLost = 6.0;                // [m]
 constexpr double kFarLost = 600.0;               // [m]
 constexpr double kMostDeclaredInfluence = 10.0;  // of a worse sigma: on shadows, and against their end
-constexpr double kSeenNoise =
-    0.1;  // of velocities over a second, those that turn out reflected among them [m/s]
+constexpr double kSeenNoise = 0.1;  // of velocities over a second, reflected ones among them [m/s]
 constexpr double kMostEntry = 0.5;  // probability of entry at one fix
 // Whatever a float was off by in a shadow, wrong ambiguities are off by something else.
 constexpr double kChangeAnew = 0.5;
@@ -210,7 +209,8 @@ void Explainer::in_shadow() {
   Explanation moved = on;
   moved.moved_by_bias = true;
   moved.noise = white_;
-  if (!standing_) add(stay * probability(kWrongPoseRate, z_.duration), moved);
+  const double wrong_pose = probability(kWrongPoseRate, z_.duration) * likelier_if_moved(h_);
+  if (!standing_) add(stay * std::min(1.0, wrong_pose), moved);
   Explanation changed = on;
   changed.new_shadow = true;
   changed.shadow = {0.0, square(next_shadow_.first)};

@@ -143,6 +143,7 @@ void take_heading(Hypothesis& h, double yaw, double variance, const Eigen::Vecto
 }
 
 void lose(Hypothesis& h, double variance, RandomStream& random) {
+  renew_receivers(h, random);
   h.covariance.topLeftCorner<2, 2>().diagonal().array() += variance;
   if (random.uniform() < 0.5) {
     h.renew_heading(2.0 * kPi * random.uniform(), kLostHeadingVariance);
@@ -153,6 +154,7 @@ void lose(Hypothesis& h, double variance, RandomStream& random) {
 }
 
 void move_by_bias(Hypothesis& h) {
+  if (!h.others.errors.empty()) count_from_fixes(h);
   h.mean.head<2>() += h.mean.segment<2>(kShadowX);
   h.covariance.topRows<2>() += h.covariance.middleRows<2>(kShadowX).eval();
   h.covariance.leftCols<2>() += h.covariance.middleCols<2>(kShadowX).eval();

@@ -43,8 +43,6 @@ struct Mixture {
 
   /// Probability of a shadow of the receiver that is held to be least in one.
   [[nodiscard]] double least_shadow() const;
-  /// Likewise the smallest variance of a slow error [m^2].
-  [[nodiscard]] double least_slow_variance() const;
   [[nodiscard]] OdometryErrors odometry_errors() const;  ///< on average
 };
 
@@ -54,6 +52,10 @@ double evidence_share(const Mixture& mixture, double duration);
 class HypothesisCloud;
 /// Puts what a cloud knows of the fixes of each receiver into an estimate.
 void tell_receivers(const HypothesisCloud& cloud, PoseEstimate& estimate);
+
+/// The receiver that tells most of the position: of those that are not silent, the one whose fixes are least
+/// off; 0 before the first fix.
+std::size_t followed(const HypothesisCloud& cloud);
 
 /// Of the k-th of the receivers that the hypotheses do not attend to.
 FixErrors errors_of_other(const std::vector<Hypothesis>& hypotheses, std::size_t k);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "estimators/multipath/hypothesis_cloud.hpp"
+#include "estimators/multipath/receiver_watch.hpp"
 #include "multipath_localization/core/covariance.hpp"
 #include "support/numbers.hpp"
 
@@ -11,7 +12,6 @@ namespace multipath_localization::multipath {
 namespace {
 
 constexpr std::uint64_t kReceiverSeed = 0xA0761D6478BD642FU;  ///< draws that one receiver alone does not take
-constexpr double kShadowAtStart = 0.3;  ///< of a receiver that is heard for the first time
 /// One that is silent for longer beside others is forgotten, and begins anew when it comes back [s].
 constexpr double kForgotten = 20.0;
 
@@ -51,12 +51,6 @@ double Mixture::least_shadow() const {
   return least;
 }
 
-double Mixture::least_slow_variance() const {
-  double least = slow_variance;
-  for (const FixErrors& other : others) least = std::min(least, other.slow_variance);
-  return least;
-}
-
 FixErrors HypothesisCloud::errors_of(std::size_t receiver) const {
   if (receivers_.attended.value_or(receiver) == receiver) {
     return {mixture_.bias, mixture_.bias_covariance, mixture_.white_variance, mixture_.slow_variance,
@@ -64,6 +58,18 @@ FixErrors HypothesisCloud::errors_of(std::size_t receiver) const {
   }
   const std::size_t place = receivers_.place_of(receiver);
   return place < mixture_.others.size() ? mixture_.others[place] : FixErrors{};
+}
+
+std::size_t followed(const HypothesisCloud& cloud) {
+  const auto error = [&](std::size_t receiver) {
+    const FixErrors errors = cloud.errors_of(receiver);
+    return errors.white_variance + errors.slow_variance + errors.bias.squaredNorm();
+  };
+  std::size_t best = cloud.receivers().attended.value_or(0);
+  for (const ReceiverRoster::Other& other : cloud.receivers().others) {
+    if (other.silence <= kOutage && error(other.receiver) < error(best)) best = other.receiver;
+  }
+  return best;
 }
 
 void tell_receivers(const HypothesisCloud& cloud, PoseEstimate& estimate) {

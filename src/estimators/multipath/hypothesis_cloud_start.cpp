@@ -13,7 +13,6 @@ constexpr std::size_t kHeadings = 64;        // all round the circle: 6 degrees 
 constexpr std::size_t kLawsPerHeading = 50;  // at least, of errors
 constexpr double kRingSpacing = 0.6;         // sigma of a heading, in spacings: neighbours overlap
 constexpr double kNarrowHeading = 0.1;       // a known heading that one Kalman filter holds [rad]
-constexpr double kShadowAtStart = 0.3;       // a robot is often switched on beside its shed
 constexpr double kLeastStartBias = 1.5;      // [m]
 constexpr double kLargestStartBias = 150.0;  // receivers start worse than they go on [m]
 

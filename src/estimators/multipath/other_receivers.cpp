@@ -1,14 +1,19 @@
 #include "estimators/multipath/other_receivers.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "estimators/multipath/hypothesis.hpp"
+#include "estimators/multipath/log_normal.hpp"
 #include "support/numbers.hpp"
 
 namespace multipath_localization::multipath {
 
 namespace {
+
+constexpr double kMostAgreement = 50.0;  // of which the exponential is finite
 
 Eigen::Index first_of(std::size_t other) { return static_cast<Eigen::Index>(other) * kReceiverStates; }
 
@@ -31,6 +36,18 @@ struct Joint {
     }
   }
 
+  /// Adds two components from `from` on, `times` them, to those from `to` on.
+  void add(Eigen::Index to, Eigen::Index from, double times) {
+    mean.segment<2>(to) += times * mean.segment<2>(from);
+    covariance.middleRows<2>(to) += times * covariance.middleRows<2>(from);
+    covariance.middleCols<2>(to) += times * covariance.middleCols<2>(from);
+  }
+  void clear(Eigen::Index two) {
+    mean.segment<2>(two).setZero();
+    covariance.middleRows<2>(two).setZero();
+    covariance.middleCols<2>(two).setZero();
+  }
+
   /// Puts back what there is of the first `others` receivers.
   void give_back(Hypothesis& h, std::size_t others) const {
     const Eigen::Index n = first_of(others);
@@ -39,6 +56,34 @@ struct Joint {
     h.others.mean = mean.segment(kStateSize, n);
     h.others.cross = covariance.block(0, kStateSize, kStateSize, n);
     h.others.covariance = covariance.block(kStateSize, kStateSize, n, n);
+  }
+};
+
+/// Logarithms of the probability density of the errors of a receiver, as they are and by a position that is
+/// off by the bias of the shadow of the attended one.
+struct Likelihoods {
+  double now = 0.0;
+  double open = 0.0;
+  double in_shadow = 0.0;
+
+  Likelihoods(const Hypothesis& h, std::size_t other) {
+    const ReceiverErrors& errors = h.others.errors[other];
+    const Eigen::Index slow = first_of(other);
+    const Eigen::Index shadow = slow + kShadowX - kSlowX;
+    const Eigen::Matrix2d across =
+        h.others.cross.block<2, 2>(kShadowX, slow) + h.others.cross.block<2, 2>(kShadowX, shadow);
+    const Eigen::Vector2d bias = h.others.bias(other);
+    const Eigen::Matrix2d P = h.others.bias_covariance(other);
+    const Eigen::Vector2d moved = bias - h.mean.segment<2>(kShadowX);
+    const Eigen::Matrix2d moved_P =
+        P + h.covariance.block<2, 2>(kShadowX, kShadowX) - across - across.transpose();
+    const auto open_variance = square(errors.law.slow_sigma() * errors.level) * Eigen::Matrix2d::Identity();
+    const auto shadow_variance = open_variance + square(errors.shadow_law.size) * Eigen::Matrix2d::Identity();
+    const double log_open = std::log1p(-kShadowAtStart), log_shadow = std::log(kShadowAtStart);
+    now = errors.in_shadow ? log_shadow + log_normal(bias, P + shadow_variance)
+                           : log_open + log_normal(bias, P + open_variance);
+    open = log_open + log_normal(moved, moved_P + open_variance);
+    in_shadow = log_shadow + log_normal(moved, moved_P + shadow_variance);
   }
 };
 
@@ -98,6 +143,39 @@ void forget_receiver(Hypothesis& h, std::size_t other) {
   joint.give_back(h, last);
   h.others.errors[other] = h.others.errors[last];
   h.others.errors.pop_back();
+}
+
+void renew_receivers(Hypothesis& h, RandomStream& random) {
+  const std::vector<ReceiverErrors> known = std::exchange(h.others, {}).errors;
+  for (ReceiverErrors errors : known) {
+    errors.in_shadow = random.uniform() < kShadowAtStart;
+    add_receiver(h, errors);
+  }
+}
+
+double likelier_if_moved(const Hypothesis& h) {
+  double log_ratio = 0.0;
+  for (std::size_t k = 0; k < h.others.errors.size(); ++k) {
+    const Likelihoods likelihoods(h, k);
+    log_ratio += std::max(likelihoods.open, likelihoods.in_shadow) - likelihoods.now;
+  }
+  return std::exp(std::min(log_ratio, kMostAgreement));
+}
+
+void count_from_fixes(Hypothesis& h) {
+  Joint joint(h);
+  for (std::size_t k = 0; k < h.others.errors.size(); ++k) {
+    ReceiverErrors& errors = h.others.errors[k];
+    const Likelihoods likelihoods(h, k);
+    const Eigen::Index slow = kStateSize + first_of(k);
+    const Eigen::Index shadow = slow + kShadowX - kSlowX;
+    joint.add(shadow, kShadowX, -1.0);
+    errors.in_shadow = likelihoods.in_shadow > likelihoods.open;
+    if (errors.in_shadow) continue;
+    joint.add(slow, shadow, 1.0);
+    joint.clear(shadow);
+  }
+  joint.give_back(h, h.others.errors.size());
 }
 
 }  // namespace multipath_localization::multipath

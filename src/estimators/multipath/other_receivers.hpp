@@ -52,4 +52,16 @@ void add_receiver(Hypothesis& hypothesis, const ReceiverErrors& errors);
 /// Forgets one; the last one takes its place.
 void forget_receiver(Hypothesis& hypothesis, std::size_t other);
 
+/// Forgets what they are off by, of a position that is lost; whether they are in shadows is drawn anew.
+void renew_receivers(Hypothesis& hypothesis, RandomStream& random);
+
+/// How many times likelier the errors of the others are if the fixes of this receiver are right and the
+/// position is off by the bias of its shadow: receivers that are off by the same are right rather than in
+/// shadows that are alike, equation (25).
+double likelier_if_moved(const Hypothesis& hypothesis);
+
+/// Counts the errors of the others from a position that is off by the bias of the shadow of this one. Those
+/// that are likelier under open sky then have left their shadows.
+void count_from_fixes(Hypothesis& hypothesis);
+
 }  // namespace multipath_localization::multipath

@@ -47,6 +47,7 @@ Sighting ReceiverWatch::take(double now, double yaw, double known) {
   sighting.reacquired = now - reacquired_ < kSettling;
   declared_ = declared;
   level_ = sighting.fix.level;
+  status_ = sighting.fix.status;
   weighed_ = now;
   return sighting;
 }

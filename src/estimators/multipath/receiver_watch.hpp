@@ -38,6 +38,8 @@ class ReceiverWatch {
   Sighting take(double now, double yaw, double known);
   /// Variance of what the receiver may still be wrong by since it began anew, an axis [m^2].
   [[nodiscard]] double doubt(double now) const;
+  /// Of its last fix that was weighed.
+  [[nodiscard]] FixStatus status() const { return status_; }
   /// How many fixes the last one was: so much whiter is their mean than each.
   [[nodiscard]] double fixes_in_block() const { return fixes_in_block_; }
 
@@ -49,12 +51,13 @@ class ReceiverWatch {
 
   FixCheck check_;
   FixBlock block_;
-  double weighed_;                      ///< last [s]
-  double added_ = 0.0;                  ///< the last fix [s]
-  double declared_ = 0.0;               ///< last [m]
-  FixLevel level_ = FixLevel::kUntold;  ///< last
-  double reacquired_ = -kSettling;      ///< when it began anew [s]
-  double wrong_by_ = 0.0;               ///< sigma of what it may have begun wrong by [m]
+  double weighed_;                         ///< last [s]
+  double added_ = 0.0;                     ///< the last fix [s]
+  double declared_ = 0.0;                  ///< last [m]
+  FixLevel level_ = FixLevel::kUntold;     ///< last
+  FixStatus status_ = FixStatus::kSingle;  ///< last
+  double reacquired_ = -kSettling;         ///< when it began anew [s]
+  double wrong_by_ = 0.0;                  ///< sigma of what it may have begun wrong by [m]
   double fixes_in_block_ = 1.0;
 };
 

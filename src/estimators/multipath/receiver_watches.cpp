@@ -1,7 +1,6 @@
 #include "estimators/multipath/receiver_watches.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace multipath_localization::multipath {
 
@@ -19,10 +18,9 @@ ReceiverWatch* ReceiverWatches::overdue(double now) {
   return late == watches_.end() ? nullptr : &late->second;
 }
 
-double ReceiverWatches::least_doubt(double now) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& [number, watch] : watches_) least = std::min(least, watch.doubt(now));
-  return watches_.empty() ? 0.0 : least;
+double ReceiverWatches::doubt(std::size_t receiver, double now) const {
+  const auto watch = watches_.find(receiver);
+  return watch == watches_.end() ? 0.0 : watch->second.doubt(now);
 }
 
 }  // namespace multipath_localization::multipath

@@ -21,8 +21,8 @@ class ReceiverWatches {
   void begin(double now);
   /// One whose fixes wait for others that do not come, if any.
   [[nodiscard]] ReceiverWatch* overdue(double now);
-  /// Variance of what the receiver in least doubt may have begun wrong by, an axis [m^2].
-  [[nodiscard]] double least_doubt(double now) const;
+  /// Variance of what a receiver may have begun wrong by, an axis [m^2]; none of one that is not watched.
+  [[nodiscard]] double doubt(std::size_t receiver, double now) const;
 
  private:
   std::map<std::size_t, ReceiverWatch> watches_;

@@ -24,7 +24,7 @@ std::optional<Eigen::Vector2d> shadowed(double time) {
 }
 
 void add_second(Localizer& localizer, const SimulatedDrive& drive, std::uint64_t seed, double stamp,
-                const Bias& bias) {
+                const Bias& bias, double sigma, FixStatus status = FixStatus::kSingle) {
   const auto step = static_cast<std::uint32_t>(std::lround(20.0 * stamp));
   const std::optional<Eigen::Vector2d> off = bias(stamp);
   if (step % 4 != 2 || !off) return;
@@ -33,8 +33,9 @@ void add_second(Localizer& localizer, const SimulatedDrive& drive, std::uint64_t
   fix.stamp = stamp;
   fix.receiver = 1;
   fix.antenna_in_base = kBeside;
-  fix.position = drive.truth * kBeside + *off + drive.fix_sigma * normals<2>(random);
-  fix.covariance = drive.fix_sigma * drive.fix_sigma * Eigen::Matrix2d::Identity();
+  fix.position = drive.truth * kBeside + *off + sigma * normals<2>(random);
+  fix.covariance = sigma * sigma * Eigen::Matrix2d::Identity();
+  fix.status = status;
   localizer.add(Measurement(fix));
 }
 
@@ -48,7 +49,7 @@ double rmse(
     SimulatedDrive drive(seed);
     drive.fix_sigma = fix_sigma;
     drive.spoilt = [&](const OdometryIncrement& u) {
-      add_second(localizer, drive, seed, u.stamp, second);
+      add_second(localizer, drive, seed, u.stamp, second, fix_sigma);
       return u;
     };
     drive.run(localizer, 120.0, [&] {
@@ -73,6 +74,49 @@ TEST(MultipathParticleFilterReceivers, OneInAShadowThatItDoesNotDeclareDoesNoHar
 TEST(MultipathParticleFilterReceivers, TwoGoodOnesAreNoWorseThanOne) {
   EXPECT_LT(rmse(good, 0.3), rmse(absent, 0.3));
   EXPECT_LT(rmse(good, 0.02), 1.02 * rmse(absent, 0.02));
+}
+
+TEST(MultipathParticleFilterReceivers, TwoThatAgreeAreBelievedWhateverWasBelievedBefore) {
+  const Bias wrong_until_60 = [](double time) {
+    return time < 60.0 ? Eigen::Vector2d(-2.5, 0.8) : Eigen::Vector2d(0.0, 0.0);
+  };
+  EXPECT_LT(rmse(wrong_until_60, 0.02), 0.5);
+}
+
+TEST(MultipathParticleFilterReceivers, CorrectionsOfOneThatTellsLittleMakeThePositionNoSurer) {
+  Localizer localizer = default_localizer(1);
+  SimulatedDrive drive(1);
+  const auto corrected = [&](double sigma) {
+    drive.spoilt = [&, sigma](const OdometryIncrement& u) {
+      add_second(localizer, drive, 1, u.stamp, good, sigma, FixStatus::kGroundBased);
+      return u;
+    };
+    drive.run(localizer, 60.0);
+    return std::sqrt(localizer.estimate().covariance(0, 0));
+  };
+  EXPECT_GT(corrected(5.0), 1.5) << "metres beside the other one's decimetres";
+  EXPECT_LT(corrected(0.02), 0.5) << "centimetres";
+}
+
+TEST(MultipathParticleFilterReceivers, TwoRtkAntennasTellTheHeadingWithinThreeMetres) {
+  RootMeanSquare heading;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    Localizer localizer = default_localizer(seed);
+    SimulatedDrive drive(seed);
+    drive.fix_sigma = 0.02;
+    drive.spoilt = [&](const OdometryIncrement& u) {
+      add_second(localizer, drive, seed, u.stamp, good, drive.fix_sigma);
+      return u;
+    };
+    drive.speed = 0.0;
+    drive.run(localizer, 20.0);
+    EXPECT_GT(localizer.estimate().covariance(2, 2), 1.0) << "standing tells whatever a reflection says";
+    drive.speed = 1.0;
+    drive.run(localizer, 3.0);
+    EXPECT_LT(localizer.estimate().covariance(2, 2), 0.1 * 0.1);
+    heading.add({wrap_angle(localizer.estimate().pose.yaw - drive.truth.yaw), 0.0});
+  }
+  EXPECT_LT(heading.value(), 0.05);
 }
 
 TEST(MultipathParticleFilterReceivers, LosingOneCostsNoMoreThanItGave) {

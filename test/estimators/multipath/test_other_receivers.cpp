@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <cmath>
 
 #include "estimators/multipath/hypothesis.hpp"
 #include "estimators/multipath/other_receivers.hpp"
@@ -121,6 +122,59 @@ TEST(OtherReceivers, AreForgottenWithoutATraceInTheOthers) {
   EXPECT_EQ(h.others.bias(0), bias);
   EXPECT_EQ(h.others.bias_covariance(0), covariance);
   EXPECT_EQ(h.covariance, own);
+}
+
+/// In a shadow of (4, -3) m, beside another receiver that is off by that, as sure of both as fixes of 0.1 m
+/// make one who takes the position for known.
+Hypothesis in_shadow_beside(const Eigen::Vector2d& bias) {
+  Hypothesis h;
+  h.level = 0.1;
+  h.in_shadow = true;
+  h.shadow_law.size = 5.0;
+  h.mean.segment<2>(kShadowX) << 4.0, -3.0;
+  h.covariance.diagonal().setConstant(0.01);
+  ReceiverErrors errors = some_errors(0.1, bias.norm() > 1.0);
+  add_receiver(h, errors);
+  h.others.mean.tail<2>() = bias;
+  h.others.covariance.diagonal().setConstant(0.01);
+  return h;
+}
+
+TEST(OtherReceivers, ThatAreOffByTheSameAreRatherRight) {
+  EXPECT_EQ(likelier_if_moved(Hypothesis{}), 1.0) << "without another";
+  EXPECT_GT(likelier_if_moved(in_shadow_beside({4.05, -2.95})), 100.0);
+  EXPECT_LT(likelier_if_moved(in_shadow_beside({0.0, 0.0})), 1e-3) << "the other one says where it is";
+  EXPECT_NEAR(likelier_if_moved(in_shadow_beside({-3.0, -4.0})), 1.0, 0.9) << "both are in shadows anyway";
+  EXPECT_TRUE(std::isfinite(likelier_if_moved(in_shadow_beside({1e4, 1e4}))));
+}
+
+TEST(OtherReceivers, FollowAPositionThatIsMovedByTheBias) {
+  for (const Eigen::Vector2d& bias : {Eigen::Vector2d(4.0, -3.0), Eigen::Vector2d(-3.0, -4.0)}) {
+    Hypothesis h = in_shadow_beside(bias);
+    const Eigen::Vector2d fix = h.mean.head<2>() + h.others.bias(0);
+    move_by_bias(h);
+    EXPECT_LT((h.mean.head<2>() + h.others.bias(0) - fix).norm(), 1e-9) << "its fixes are where they were";
+    EXPECT_EQ(h.others.errors[0].in_shadow, bias.x() < 0.0);
+    EXPECT_EQ(h.others.mean.tail<2>().norm() > 0.0, h.others.errors[0].in_shadow);
+    EXPECT_GT(joint(h).selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), -1e-9);
+  }
+}
+
+TEST(OtherReceivers, AreForgottenWhereThePositionIsLost) {
+  double shadows = 0.0;
+  constexpr int kDraws = 2000;
+  for (std::uint32_t i = 0; i < kDraws; ++i) {
+    Hypothesis h = in_shadow_beside({4.0, -3.0});
+    RandomStream random(1, i, 0);
+    renew_receivers(h, random);
+    ASSERT_EQ(h.others.errors.size(), 1u);
+    EXPECT_EQ(h.others.bias(0).norm(), 0.0);
+    EXPECT_EQ(h.others.errors[0].level, 0.1);
+    const bool wide = h.others.bias_covariance(0)(0, 0) > 20.0;
+    EXPECT_EQ(wide, h.others.errors[0].in_shadow);
+    shadows += wide ? 1.0 : 0.0;
+  }
+  EXPECT_NEAR(shadows / kDraws, kShadowAtStart, 0.04);
 }
 
 TEST(OtherReceivers, BeginWithTheErrorsOfTheirLaw) {

@@ -52,6 +52,15 @@ TEST(ReceiverWatch, GoesByTheLevelThatAReceiverTellsWhereItTellsOne) {
   EXPECT_FALSE(refixed(5.0, FixLevel::kFloat, 0.02));
 }
 
+TEST(ReceiverWatch, TellsTheStatusOfTheFixThatWasWeighedLast) {
+  ReceiverWatch watch(0.0);
+  GnssFix fix = fix_of(0.02);
+  fix.status = FixStatus::kGroundBased;
+  watch.add(fix, 1.0);
+  watch.take(1.0, 0.0, 0.1);
+  EXPECT_EQ(watch.status(), FixStatus::kGroundBased);
+}
+
 TEST(ReceiverWatch, DoesNotWaitForFixesThatDoNotCome) {
   ReceiverWatch watch(0.0);
   EXPECT_FALSE(watch.overdue(5.0));

@@ -22,15 +22,15 @@ TEST(ReceiverWatches, FindsTheOneWhoseFixesWaitForOthers) {
   EXPECT_EQ(watches.overdue(20.0), nullptr);
 }
 
-TEST(ReceiverWatches, DoubtIsThatOfTheReceiverThatHasGoneOn) {
+TEST(ReceiverWatches, TellTheDoubtAboutEachOne) {
   ReceiverWatches watches;
-  EXPECT_EQ(watches.least_doubt(0.0), 0.0);
+  EXPECT_EQ(watches.doubt(0, 0.0), 0.0);
   ReceiverWatch& first = watches.of(0, 0.0);
   first.add(some_fix(), 60.0);
   first.take(60.0, 0.0, 2.0);
-  EXPECT_GT(watches.least_doubt(60.0), 1.0);
+  EXPECT_GT(watches.doubt(0, 60.0), 1.0);
   watches.of(1, 0.0);
-  EXPECT_EQ(watches.least_doubt(60.0), 0.0) << "which no gap has interrupted";
+  EXPECT_EQ(watches.doubt(1, 60.0), 0.0) << "which no gap has interrupted";
 }
 
 }  // namespace
