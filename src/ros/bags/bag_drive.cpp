@@ -53,8 +53,9 @@ struct Sighting {
 std::vector<Sighting> sightings(BagCollector& bag) {
   std::vector<Sighting> all;
   std::size_t best = kMeasurementNames.size();
-  for (const ReceivedMessage& received : bag.received()) best = std::min(best, received.message.index());
-  for (const ReceivedMessage& received : bag.received()) {
+  for (const ReceivedMessage& received : bag.measurements().received())
+    best = std::min(best, received.message.index());
+  for (const ReceivedMessage& received : bag.measurements().received()) {
     const auto* fix = std::get_if<ReceiverFix>(&received.message);
     if (received.message.index() != best || (fix != nullptr && fix->receiver > 0)) continue;
     const std::optional<Geodetic> place = place_of(received.message, {});
@@ -106,16 +107,22 @@ Geodetic fitted_datum(const std::vector<Sighting>& sightings, const std::vector<
   return datum;
 }
 
-Geodetic choose_datum(BagCollector& bag, const std::optional<Geodetic>& given, Drive& drive) {
+/// Throws DriveError, naming `file`, where there is none.
+Geodetic choose_datum(BagCollector& bag, const std::optional<Geodetic>& given, const std::string& file,
+                      Drive& drive) {
   if (given) return *given;
   if (const auto told = bag.datum(); told && !drive.truth.empty()) return *told;
-  const Geodetic found = bag.find_datum();
-  return drive.truth.empty() ? found : fitted_datum(sightings(bag), drive.truth, drive.notices);
+  const std::optional<Geodetic> found = bag.measurements().find_datum();
+  if (!found) {
+    throw DriveError(file + ": no three measurements agree on a place for a datum" +
+                     bag.refusals().in_brackets());
+  }
+  return drive.truth.empty() ? *found : fitted_datum(sightings(bag), drive.truth, drive.notices);
 }
 
 /// Names a datum that no measurement is near.
-void note_far_datum(const BagCollector& bag, Drive& drive) {
-  for (const ReceivedMessage& received : bag.received()) {
+void note_far_datum(const std::vector<ReceivedMessage>& measurements, Drive& drive) {
+  for (const ReceivedMessage& received : measurements) {
     const std::optional<Geodetic> place = place_of(received.message, {});
     if (!drive.measurements.empty() || !place) continue;
     char told[200];
@@ -147,10 +154,10 @@ void read_measurements(BagCollector& bag, const ToldLevels& levels, Drive& drive
   const RotationFinder turned = [&](const std::string& frame) {
     return bag.antennas().rotation_in_base(frame);
   };
-  for (const ReceivedMessage& received : bag.received()) {
+  for (const ReceivedMessage& received : bag.measurements().received()) {
     const CheckedMeasurement checked = to_measurement(received.message, map, {}, find, turned);
     if (checked.reason != Reason::kAccepted) {
-      bag.refuse(received.message.index(), checked.reason);
+      bag.measurements().refuse(received.message.index(), checked.reason);
       continue;
     }
     RecordedMeasurement& recorded = drive.measurements.emplace_back();
@@ -186,31 +193,32 @@ Drive read_bag(const std::string& file, const BagTopics& topics, const std::opti
     const BagTopics found = find_topics(bag, file, topics);
     BagCollector collector(file, found);
     for (const rosbag::MessageInstance& message : rosbag::View(bag)) collector.take(message);
-    collector.finish();
-    if (collector.odometry().empty())
-      throw DriveError(file + ": no usable odometry" + collector.all_refusals());
-    if (collector.received().empty())
-      throw DriveError(file + ": no usable fix or epoch" + collector.all_refusals());
+    collector.measurements().finish();
+    const BagOdometry& odometry = collector.odometry();
+    if (odometry.increments().empty())
+      throw DriveError(file + ": no usable odometry" + collector.refusals().in_brackets());
+    if (collector.measurements().received().empty())
+      throw DriveError(file + ": no usable fix or epoch" + collector.refusals().in_brackets());
 
     drive.name = std::filesystem::path(file).stem().string();
-    drive.odometry = collector.odometry();
+    drive.odometry = odometry.increments();
     drive.yaw_rates = collector.yaw_rates();
     if (!collector.knows_imu()) {
       drive.notices.emplace_back("no transform to the IMU's frame: it is taken to be level, with z upwards");
     }
-    note_silences(collector.silences(), drive);
-    drive.truth = collector.truth();
+    note_silences(odometry.silences(), drive);
+    drive.truth = collector.truth().samples();
     if (drive.truth.empty()) drive.notices.emplace_back("no truth: nothing is scored");
-    drive.datum = choose_datum(collector, datum, drive);
+    drive.datum = choose_datum(collector, datum, file, drive);
     read_measurements(collector, read_levels(bag, found.level), drive);
-    if (collector.odometry_in_map()) {
+    if (odometry.in_map()) {
       drive.notices.emplace_back(
           "odometry is in frame map, as the output of a localisation is: the localization node refuses such");
     }
-    const std::vector<std::string> refusals = collector.refusals();
+    const std::vector<std::string> refusals = collector.refusals().lines();
     drive.notices.insert(drive.notices.end(), refusals.begin(), refusals.end());
-    drive.left_out = collector.left_out();
-    note_far_datum(collector, drive);
+    drive.left_out = collector.measurements().left_out();
+    note_far_datum(collector.measurements().received(), drive);
   });
   return drive;
 }
