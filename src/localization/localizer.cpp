@@ -22,6 +22,15 @@ OdometryIncrement lasting(OdometryIncrement increment, double start, double end)
   return increment;
 }
 
+bool position_known(const PoseEstimate& estimate, double lost_sigma) {
+  return estimate.position_covariance_overall.trace() < lost_sigma * lost_sigma;
+}
+
+bool any_frozen(const std::map<std::size_t, ReceiverRecord>& receivers) {
+  return std::any_of(receivers.begin(), receivers.end(),
+                     [](const auto& known) { return known.second.frozen.has_value(); });
+}
+
 }  // namespace
 
 void LocalizerParameters::fields(ParameterVisitor& field) {
@@ -52,7 +61,7 @@ void Localizer::start(const std::optional<PosePrior>& prior) {
   standstill_ = {};
   waiting_.clear();
   accepted_ = {};
-  has_odometry_ = false;
+  start_.reset();
   settled_ = prior && prior->confirmed;
 }
 
@@ -74,8 +83,7 @@ void Localizer::add(const OdometryIncrement& reported) {
     estimator_->predict(part);
     now_ = from = to;
   };
-  if (!has_odometry_) start_ = now_ = from;
-  has_odometry_ = true;
+  if (!start_) start_ = now_ = from;
   while (!waiting_.empty() && stamp_of(waiting_.front()) <= increment.stamp) {
     const Measurement measurement = waiting_.front();
     waiting_.pop_front();
@@ -85,12 +93,12 @@ void Localizer::add(const OdometryIncrement& reported) {
   advance(increment.stamp);
   if (settled_) return;
   const PoseEstimate estimate = estimator_->estimate();
-  settled_ = estimate.valid && estimate.aligned && position_known(estimate);
+  settled_ = estimate.valid && estimate.aligned && position_known(estimate, parameters_.lost_sigma);
 }
 
 void Localizer::add(const Measurement& measurement) {
   const double stamp = stamp_of(measurement);
-  if (!has_odometry_) {
+  if (!start_) {
     reports_.push_back({stamp, measurement, refused(Reason::kNotStarted), {}, {}});
   } else if (stamp > now_ + parameters_.future_tolerance || waiting_.size() >= kMostWaiting) {
     reports_.push_back({stamp, measurement, refused(Reason::kFutureStamp), {}, {}});
@@ -143,11 +151,6 @@ std::optional<FrozenReceiver> Localizer::frozen(std::size_t receiver) const {
   return known == receivers_.end() ? std::nullopt : known->second.frozen;
 }
 
-bool Localizer::any_frozen() const {
-  return std::any_of(receivers_.begin(), receivers_.end(),
-                     [](const auto& known) { return known.second.frozen.has_value(); });
-}
-
 bool Localizer::mirrored() const {
   return std::any_of(receivers_.begin(), receivers_.end(),
                      [](const auto& known) { return known.second.mirror.mirrored(); });
@@ -157,23 +160,19 @@ std::vector<MeasurementReport> Localizer::take_reports() { return std::exchange(
 
 Trust Localizer::state() const {
   const PoseEstimate estimate = estimator_->estimate();
-  if (!has_odometry_ || !estimate.valid) return Trust::kNotReady;
+  if (!start_ || !estimate.valid) return Trust::kNotReady;
   if (!estimate.aligned || mirrored()) return Trust::kAligning;
-  if (!position_known(estimate)) return settled_ ? Trust::kLost : Trust::kAligning;
-  if (now_ - std::max(start_, accepted_.stamp()) > parameters_.dead_reckoning_after)
+  if (!position_known(estimate, parameters_.lost_sigma)) return settled_ ? Trust::kLost : Trust::kAligning;
+  if (now_ - std::max(*start_, accepted_.stamp()) > parameters_.dead_reckoning_after)
     return Trust::kDeadReckoning;
   return estimate.shadow_probability > 0.5 ? Trust::kMultipath : Trust::kGood;
-}
-
-bool Localizer::position_known(const PoseEstimate& estimate) const {
-  return estimate.position_covariance_overall.trace() < parameters_.lost_sigma * parameters_.lost_sigma;
 }
 
 std::string Localizer::state_reason() const {
   const PoseEstimate estimate = estimator_->estimate();
   const std::string missed = accepted_.missed(now_, parameters_.dead_reckoning_after);
   switch (state()) {
-    case Trust::kNotReady: return has_odometry_ ? "waiting for a usable fix" : "waiting for odometry";
+    case Trust::kNotReady: return start_ ? "waiting for a usable fix" : "waiting for odometry";
     case Trust::kAligning:
       if (mirrored()) {
         return "odometry turns the other way round than the fixes: is it mirrored, or NED? Let doctor look";
@@ -186,7 +185,8 @@ std::string Localizer::state_reason() const {
     case Trust::kGood: return accepted_.kind() + " agree with odometry" + missed;
     case Trust::kMultipath: return accepted_.kind() + " are biased, the bias is being tracked" + missed;
     case Trust::kDeadReckoning:
-      return std::string(any_frozen() ? "receiver frozen" : "no usable fix") + ", running on odometry";
+      return std::string(any_frozen(receivers_) ? "receiver frozen" : "no usable fix") +
+             ", running on odometry";
     case Trust::kLost: return "position too uncertain to drive by";
   }
   return "";

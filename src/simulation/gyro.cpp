@@ -16,19 +16,24 @@ void GyroParameters::fields(ParameterVisitor& field) {
   field("scale_error", scale_error, {-0.9, 10.0}, "1", "of measured rate over true, minus 1");
 }
 
-Gyro::Gyro(const GyroParameters& parameters, std::uint64_t seed) : parameters_(parameters), seed_(seed) {
+Gyro::Gyro(const GyroParameters& parameters, const std::vector<SensorFault>& faults, std::uint64_t seed)
+    : parameters_(parameters), faults_(faults, "gyro", seed, kGyroFaultStream), seed_(seed) {
   RandomStream random(seed_, 0, kGyroStream);
   bias_ = parameters_.bias + parameters_.bias_sigma * random.normal();
 }
 
-std::optional<YawRate> Gyro::step(double yaw_rate, double time) {
+std::vector<YawRate> Gyro::step(double yaw_rate, double time) {
   ++steps_;
   const auto due = periods(time, parameters_.rate);
-  if (due <= emitted_) return std::nullopt;
+  if (due <= emitted_) return under_way_.take(time);
   emitted_ = due;
   RandomStream random(seed_, steps_, kGyroStream);
   const double noise = parameters_.noise * std::sqrt(parameters_.rate) * random.normal();
-  return YawRate{time, yaw_rate * (1.0 + parameters_.scale_error) + bias_ + noise};
+  const double told = yaw_rate * (1.0 + parameters_.scale_error) + bias_ + noise;
+  if (const auto spoilt = faults_.spoil(time, {0.0, 0.0, told})) {
+    under_way_.send({time, spoilt->value.z()}, time + spoilt->delay);
+  }
+  return under_way_.take(time);
 }
 
 }  // namespace multipath_localization

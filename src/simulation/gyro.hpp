@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <vector>
 
 #include "multipath_localization/core/measurements.hpp"
 #include "multipath_localization/core/parameters.hpp"
+#include "simulation/delivery_queue.hpp"
+#include "simulation/sensor_faults.hpp"
 
 namespace multipath_localization {
 
@@ -21,18 +23,20 @@ struct GyroParameters {
 /// A gyro beside the odometry.
 class Gyro {
  public:
-  Gyro(const GyroParameters& parameters, std::uint64_t seed);
+  Gyro(const GyroParameters& parameters, const std::vector<SensorFault>& faults, std::uint64_t seed);
 
-  /// Watches one step that ended at `time` [s], over which the robot turned at `yaw_rate` [rad/s]. A sample
-  /// when one is due.
-  std::optional<YawRate> step(double yaw_rate, double time);
+  /// Watches one step that ended at `time` [s], over which the robot turned at `yaw_rate` [rad/s]. Returns
+  /// the samples delivered by now, spoilt by the faults.
+  std::vector<YawRate> step(double yaw_rate, double time);
 
  private:
   GyroParameters parameters_;
+  SensorFaults faults_;
   std::uint64_t seed_;
   double bias_;
   std::uint32_t steps_ = 0;
   std::int64_t emitted_ = 0;
+  DeliveryQueue<YawRate> under_way_;
 };
 
 }  // namespace multipath_localization

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "simulation/streams.hpp"
-
 namespace multipath_localization {
 
 namespace {
@@ -50,11 +48,9 @@ Simulator::Simulator(const SimulatorParameters& parameters, std::uint64_t seed)
       receiver_(parameters.receiver, parameters.outages, seed),
       fix_faults_(parameters.faults.fix, seed),
       odometry_faults_(parameters.faults.odometry, seed),
-      gyro_(parameters.gyro, seed),
+      gyro_(parameters.gyro, parameters.faults.gyro, seed),
       compass_(parameters.compass, parameters.faults.heading, seed),
-      velocity_receiver_(parameters.velocity, seed),
-      gyro_faults_(parameters.faults.gyro, "gyro", seed, kGyroFaultStream),
-      velocity_faults_(parameters.faults.velocity, "velocity", seed, kVelocityFaultStream) {
+      velocity_receiver_(parameters.velocity, parameters.faults.velocity, seed) {
   for (const BuildingParameters& building : parameters_.buildings) {
     Polygon(building.corners, "building " + building.name);
   }
@@ -97,27 +93,18 @@ std::vector<Measurement> Simulator::spoilt(const std::vector<Measurement>& deliv
   return measurements;
 }
 
-std::vector<YawRate> Simulator::turn_rates() {
-  if (const std::optional<YawRate> read = gyro_.step(robot_.yaw_rate(), time())) {
-    const auto spoilt = gyro_faults_.spoil(read->stamp, {0.0, 0.0, read->rate});
-    if (spoilt) yaw_rates_under_way_.send({read->stamp, spoilt->value.z()}, time() + spoilt->delay);
-  }
-  return yaw_rates_under_way_.take(time());
-}
-
 std::vector<GnssVelocity> Simulator::velocities(double duration) {
   const Eigen::Vector2d lever = antenna_at(robot_.pose(), parameters_);
   const Eigen::Vector2d swing = robot_.yaw_rate() * Eigen::Vector2d(-lever.y(), lever.x());
   const Eigen::Vector2d velocity =
       rotation(robot_.pose().yaw) * (Eigen::Vector2d(robot_.speed(), robot_.lateral_speed()) + swing);
+  std::vector<GnssVelocity> received;
   for (GnssVelocity read : velocity_receiver_.step(velocity, reception_.in_shadow, time(), duration)) {
-    const auto spoilt = velocity_faults_.spoil(read.stamp, {read.velocity.x(), read.velocity.y(), 0.0});
-    if (!spoilt || outage_at(parameters_.outages, read.stamp)) continue;
-    read.velocity = spoilt->value.head<2>();
+    if (outage_at(parameters_.outages, read.stamp)) continue;
     read.antenna_in_base = receiver_.antenna_in_base();
-    velocities_under_way_.send(read, time() + spoilt->delay);
+    received.push_back(read);
   }
-  return velocities_under_way_.take(time());
+  return received;
 }
 
 Readings Simulator::step(const MotionCommand& u) {
@@ -126,7 +113,7 @@ Readings Simulator::step(const MotionCommand& u) {
   zones_.step(duration);
   robot_.step(u, duration);
   Readings readings;
-  readings.yaw_rates = turn_rates();
+  readings.yaw_rates = gyro_.step(robot_.yaw_rate(), time());
   if (const auto level = odometer_.step(robot_, time(), duration)) {
     readings.odometry = odometry_faults_.spoil(along_ground(parameters_.ground.tilt(robot_.pose()), *level));
   }

@@ -85,7 +85,6 @@ class Simulator {
  private:
   std::vector<Measurement> receive(double duration);
   std::vector<Measurement> spoilt(const std::vector<Measurement>& delivered);
-  std::vector<YawRate> turn_rates();
   std::vector<GnssVelocity> velocities(double duration);
 
   SimulatorParameters parameters_;
@@ -102,10 +101,6 @@ class Simulator {
   Gyro gyro_;
   Compass compass_;
   VelocityReceiver velocity_receiver_;
-  SensorFaults gyro_faults_;
-  SensorFaults velocity_faults_;
-  DeliveryQueue<YawRate> yaw_rates_under_way_;
-  DeliveryQueue<GnssVelocity> velocities_under_way_;
   Reception reception_;
 };
 

@@ -19,8 +19,10 @@ void VelocityReceiverParameters::fields(ParameterVisitor& field) {
   field("outlier_sigma", outlier_sigma, {0.0, 100.0}, "m/s", "how far such are off, of each component");
 }
 
-VelocityReceiver::VelocityReceiver(const VelocityReceiverParameters& parameters, std::uint64_t seed)
+VelocityReceiver::VelocityReceiver(const VelocityReceiverParameters& parameters,
+                                   const std::vector<SensorFault>& faults, std::uint64_t seed)
     : parameters_(parameters),
+      faults_(faults, "velocity", seed, kVelocityFaultStream),
       random_(seed, 0, kVelocityStream),
       slow_(parameters.slow_sigma, parameters.slow_time, RandomStream(seed, 1, kVelocityStream)) {}
 
@@ -38,7 +40,10 @@ std::vector<GnssVelocity> VelocityReceiver::step(const Eigen::Vector2d& velocity
   const double share = in_shadow ? parameters_.outlier_share_shadow : parameters_.outlier_share;
   if (random_.uniform() < share) made.velocity += normal2(random_, parameters_.outlier_sigma);
   made.covariance = square(parameters_.declared_sigma) * Eigen::Matrix2d::Identity();
-  under_way_.send(made, time + parameters_.latency);
+  if (const auto spoilt = faults_.spoil(time, {made.velocity.x(), made.velocity.y(), 0.0})) {
+    made.velocity = spoilt->value.head<2>();
+    under_way_.send(made, time + parameters_.latency + spoilt->delay);
+  }
   return under_way_.take(time);
 }
 

@@ -8,6 +8,7 @@
 #include "multipath_localization/core/parameters.hpp"
 #include "simulation/delivery_queue.hpp"
 #include "simulation/gauss_markov.hpp"
+#include "simulation/sensor_faults.hpp"
 
 namespace multipath_localization {
 
@@ -30,15 +31,17 @@ struct VelocityReceiverParameters {
 /// reflected now and then.
 class VelocityReceiver {
  public:
-  VelocityReceiver(const VelocityReceiverParameters& parameters, std::uint64_t seed);
+  VelocityReceiver(const VelocityReceiverParameters& parameters, const std::vector<SensorFault>& faults,
+                   std::uint64_t seed);
 
   /// Watches one step of `duration` that ended at `time` [s] with the antenna at that velocity in map [m/s].
-  /// Returns the velocities delivered by now.
+  /// Returns the velocities delivered by now, spoilt by the faults.
   std::vector<GnssVelocity> step(const Eigen::Vector2d& velocity, bool in_shadow, double time,
                                  double duration);
 
  private:
   VelocityReceiverParameters parameters_;
+  SensorFaults faults_;
   RandomStream random_;
   GaussMarkov2 slow_;
   DeliveryQueue<Eigen::Vector2d> lagging_;  ///< true velocities, by when they are told

@@ -8,11 +8,12 @@
 namespace multipath_localization {
 namespace {
 
-std::vector<YawRate> read(const GyroParameters& parameters, double yaw_rate) {
-  Gyro gyro(parameters, 3);
+std::vector<YawRate> read(const GyroParameters& parameters, double yaw_rate,
+                          const std::vector<SensorFault>& faults = {}) {
+  Gyro gyro(parameters, faults, 3);
   std::vector<YawRate> all;
   for (int i = 1; i <= 1000; ++i) {
-    if (const auto sample = gyro.step(yaw_rate, 0.01 * i)) all.push_back(*sample);
+    for (const YawRate& sample : gyro.step(yaw_rate, 0.01 * i)) all.push_back(sample);
   }
   return all;
 }
@@ -34,6 +35,17 @@ TEST(Gyro, ReadsTheYawRateWithBiasScaleAndNoise) {
   for (const YawRate& sample : all) squares += (sample.rate - mean) * (sample.rate - mean) / 500.0;
   EXPECT_NEAR(mean, 0.57, 0.002);
   EXPECT_NEAR(std::sqrt(squares), 0.001 * std::sqrt(50.0), 0.001);
+}
+
+TEST(Gyro, IsSpoiltByItsFaults) {
+  GyroParameters parameters;
+  parameters.rate = 50.0;
+  SensorFault sign;
+  sign.kind = "reversed";
+  sign.start = 5.0;
+  for (const YawRate& sample : read(parameters, 0.5, {sign})) {
+    EXPECT_EQ(sample.rate<0.0, sample.stamp> 5.0 - 1e-9) << sample.stamp;
+  }
 }
 
 }  // namespace

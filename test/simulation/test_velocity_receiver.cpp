@@ -12,7 +12,7 @@ const Eigen::Vector2d kTrue(1.0, 0.5);
 
 /// What is told within 400 s at kTrue, in a shadow or not.
 std::vector<GnssVelocity> told(const VelocityReceiverParameters& parameters, bool in_shadow) {
-  VelocityReceiver receiver(parameters, 3);
+  VelocityReceiver receiver(parameters, {}, 3);
   std::vector<GnssVelocity> all;
   for (int i = 1; i <= 40000; ++i) {
     for (const GnssVelocity& velocity : receiver.step(kTrue, in_shadow, 0.01 * i, 0.01))
@@ -58,7 +58,7 @@ TEST(VelocityReceiver, IsLateByItsLagAndItsLatency) {
   parameters.white_sigma = parameters.slow_sigma = parameters.outlier_share = 0.0;
   parameters.lag = 0.2;
   parameters.latency = 0.1;
-  VelocityReceiver receiver(parameters, 3);
+  VelocityReceiver receiver(parameters, {}, 3);
   for (int i = 1; i <= 1000; ++i) {
     const double time = 0.01 * i;
     for (const GnssVelocity& velocity : receiver.step({time, 0.0}, false, time, 0.01)) {
@@ -66,6 +66,18 @@ TEST(VelocityReceiver, IsLateByItsLagAndItsLatency) {
       if (time > 1.0) {
         EXPECT_NEAR(velocity.velocity.x(), velocity.stamp - 0.2, 0.011);
       }
+    }
+  }
+}
+
+TEST(VelocityReceiver, IsSpoiltByItsFaults) {
+  SensorFault late;
+  late.kind = "late";
+  late.size = 0.5;
+  VelocityReceiver receiver(at_5_hz(), {late}, 3);
+  for (int i = 1; i <= 1000; ++i) {
+    for (const GnssVelocity& velocity : receiver.step(kTrue, false, 0.01 * i, 0.01)) {
+      EXPECT_NEAR(0.01 * i - velocity.stamp, 0.5, 1e-6);
     }
   }
 }

@@ -89,9 +89,6 @@ class Localizer {
   void apply(const Measurement& measurement);
   /// Hands a fix to the estimator with the covariance it is to have; what was observed goes into the report.
   Innovation weigh(GnssFix& fix, MeasurementReport& report);
-  [[nodiscard]] bool any_frozen() const;
-  /// Whether its standard deviation is below `lost_sigma`.
-  [[nodiscard]] bool position_known(const PoseEstimate& estimate) const;
 
   std::unique_ptr<Estimator> estimator_;
   LocalizerParameters parameters_;
@@ -101,11 +98,10 @@ class Localizer {
   GyroTurn gyro_;
   std::deque<Measurement> waiting_;  ///< ahead of the odometry, by stamp
   std::vector<MeasurementReport> reports_;
+  std::optional<double> start_;  ///< of odometry [s]
   double now_ = 0.0;
-  double driven_ = 0.0;  ///< way since the start [m]
-  bool has_odometry_ = false;
+  double driven_ = 0.0;   ///< way since the start [m]
   bool settled_ = false;  ///< heading and position have been known
-  double start_ = 0.0;    ///< of odometry
   LastAccepted accepted_;
 };
 
