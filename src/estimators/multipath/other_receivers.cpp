@@ -79,7 +79,8 @@ struct Likelihoods {
         P + h.covariance.block<2, 2>(kShadowX, kShadowX) - across - across.transpose();
     const auto open_variance = square(errors.law.slow_sigma() * errors.level) * Eigen::Matrix2d::Identity();
     const auto shadow_variance = open_variance + square(errors.shadow_law.size) * Eigen::Matrix2d::Identity();
-    const double log_open = std::log1p(-kShadowAtStart), log_shadow = std::log(kShadowAtStart);
+    const double log_open = std::log1p(-kShadowAtStart);
+    const double log_shadow = std::log(kShadowAtStart);
     now = errors.in_shadow ? log_shadow + log_normal(bias, P + shadow_variance)
                            : log_open + log_normal(bias, P + open_variance);
     open = log_open + log_normal(moved, moved_P + open_variance);

@@ -16,7 +16,7 @@ namespace multipath_localization {
 class BagTruth {
  public:
   /// Takes a pose, or says why not.
-  Reason add(const std_msgs::Header& header, const geometry_msgs::Pose& pose);
+  Reason add(const std_msgs::Header& header, const geometry_msgs::Pose& message);
   /// From that stamp on [s].
   void add_shadow(double stamp, bool in_shadow) { shadows_[stamp] = in_shadow; }
 
