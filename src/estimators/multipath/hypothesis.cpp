@@ -17,6 +17,12 @@ constexpr double kImuBiasWalk = 2e-5;  // of a cheap gyro while it warms up [rad
 
 }  // namespace
 
+Eigen::Matrix2d Hypothesis::bias_covariance() const {
+  const Eigen::Matrix2d across = covariance.block<2, 2>(kSlowX, kShadowX);
+  return covariance.block<2, 2>(kSlowX, kSlowX) + covariance.block<2, 2>(kShadowX, kShadowX) + across +
+         across.transpose();
+}
+
 void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noise) {
   if (const GyroAtRest& gyro = odometry.gyro_at_rest(); gyro.time > 0.0) {
     observe(*this, kImuBias, gyro.rate(), square(kRestNoise) / gyro.time);

@@ -40,6 +40,7 @@ struct Hypothesis {
   [[nodiscard]] Pose2 pose() const { return pose_of(mean); }
   /// What a fix is off by, its white noise apart [m].
   [[nodiscard]] Eigen::Vector2d bias() const { return mean.segment<2>(kSlowX) + mean.segment<2>(kShadowX); }
+  [[nodiscard]] Eigen::Matrix2d bias_covariance() const;  ///< [m^2]
 
   /// Moves on by odometry, equation (4).
   void propagate(const OdometrySum& odometry, const OdometryNoise& noise);

@@ -48,8 +48,7 @@ void add_spread(const std::vector<Hypothesis>& hypotheses, Mixture& m) {
     off(2) = wrap_angle(off(2));
     m.covariance += w * (h.covariance.topLeftCorner<3, 3>() + off * off.transpose());
     const Eigen::Vector2d bias_off = h.bias() - m.bias;
-    m.bias_covariance += w * (h.covariance.block<2, 2>(kSlowX, kSlowX) +
-                              h.covariance.block<2, 2>(kShadowX, kShadowX) + bias_off * bias_off.transpose());
+    m.bias_covariance += w * (h.bias_covariance() + bias_off * bias_off.transpose());
     if (std::abs(off(2)) < kHeadingReach) m.agreement += w;
   }
 }

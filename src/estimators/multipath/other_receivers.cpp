@@ -73,12 +73,16 @@ struct Likelihoods {
     const Eigen::Matrix2d across =
         h.others.cross.block<2, 2>(kShadowX, slow) + h.others.cross.block<2, 2>(kShadowX, shadow);
     const Eigen::Vector2d bias = h.others.bias(other);
-    const Eigen::Matrix2d P = h.others.bias_covariance(other);
+    // Without their correlation, which takes from the sum: shadows of one robot are more alike than in the
+    // model.
+    const Eigen::Matrix2d P =
+        h.others.covariance.block<2, 2>(slow, slow) + h.others.covariance.block<2, 2>(shadow, shadow);
     const Eigen::Vector2d moved = bias - h.mean.segment<2>(kShadowX);
     const Eigen::Matrix2d moved_P =
         P + h.covariance.block<2, 2>(kShadowX, kShadowX) - across - across.transpose();
-    const auto open_variance = square(errors.law.slow_sigma() * errors.level) * Eigen::Matrix2d::Identity();
-    const auto shadow_variance = open_variance + square(errors.shadow_law.size) * Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d I = Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d open_variance = square(errors.law.slow_sigma() * errors.level) * I;
+    const Eigen::Matrix2d shadow_variance = open_variance + square(errors.shadow_law.size) * I;
     const double log_open = std::log1p(-kShadowAtStart);
     const double log_shadow = std::log(kShadowAtStart);
     now = errors.in_shadow ? log_shadow + log_normal(bias, P + shadow_variance)
@@ -98,7 +102,9 @@ Eigen::Vector2d OtherReceivers::bias(std::size_t other) const {
 Eigen::Matrix2d OtherReceivers::bias_covariance(std::size_t other) const {
   const Eigen::Index slow = first_of(other);
   const Eigen::Index shadow = slow + kShadowX - kSlowX;
-  return covariance.block<2, 2>(slow, slow) + covariance.block<2, 2>(shadow, shadow);
+  const Eigen::Matrix2d across = covariance.block<2, 2>(slow, shadow);
+  return covariance.block<2, 2>(slow, slow) + covariance.block<2, 2>(shadow, shadow) + across +
+         across.transpose();
 }
 
 void OtherReceivers::correct(const Eigen::MatrixXd& H, const Eigen::MatrixXd& K, const Eigen::MatrixXd& S,

@@ -142,6 +142,14 @@ TEST(Hypothesis, StaysSymmetricAndPositiveOverAnHourOfRtkFixes) {
   EXPECT_GT(solver.eigenvalues().minCoeff(), -1e-12);
 }
 
+TEST(Hypothesis, KnowsTheSumOfItsErrorsBetterThanEachOfThem) {
+  Hypothesis h;
+  h.covariance.diagonal().segment<4>(kSlowX).setConstant(4.0);
+  h.covariance.block<2, 2>(kSlowX, kShadowX).diagonal().setConstant(-3.5);
+  h.covariance.block<2, 2>(kShadowX, kSlowX).diagonal().setConstant(-3.5);
+  EXPECT_TRUE(h.bias_covariance().isApprox(Eigen::Matrix2d::Identity()));
+}
+
 TEST(Hypothesis, MovedByItsBiasItExpectsTheSameFixes) {
   Hypothesis h = some_hypothesis(6);
   const Eigen::Vector2d position = h.mean.head<2>() + h.mean.tail<2>();
