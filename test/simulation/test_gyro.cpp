@@ -40,11 +40,14 @@ TEST(Gyro, ReadsTheYawRateWithBiasScaleAndNoise) {
 TEST(Gyro, IsSpoiltByItsFaults) {
   GyroParameters parameters;
   parameters.rate = 50.0;
-  SensorFault sign;
-  sign.kind = "reversed";
-  sign.start = 5.0;
-  for (const YawRate& sample : read(parameters, 0.5, {sign})) {
-    EXPECT_EQ(sample.rate<0.0, sample.stamp> 5.0 - 1e-9) << sample.stamp;
+  SensorFault reversed;
+  reversed.kind = "reversed";
+  reversed.start = 5.0;
+  const std::vector<YawRate> all = read(parameters, 0.5, {reversed});
+  ASSERT_EQ(all.size(), 500u);
+  for (const YawRate& sample : all) {
+    const bool begun = sample.stamp > 5.0 - 1e-9;
+    EXPECT_EQ(std::signbit(sample.rate), begun) << sample.stamp;
   }
 }
 

@@ -5,7 +5,8 @@
 
 namespace multipath_localization::multipath {
 
-/// Of a receiver of which nothing is known: a robot is often switched on beside its shed.
+/// Probability of a shadow of a receiver of which nothing is known: a robot is often switched on beside its
+/// shed.
 constexpr double kShadowAtStart = 0.3;
 
 /// How large the errors of a receiver's fixes under open sky are: one guess, carried by a hypothesis,

@@ -209,8 +209,8 @@ void Explainer::in_shadow() {
   Explanation moved = on;
   moved.moved_by_bias = true;
   moved.noise = white_;
-  const double wrong_pose = probability(kWrongPoseRate, z_.duration) * likelier_if_moved(h_);
-  if (!standing_) add(stay * std::min(1.0, wrong_pose), moved);
+  const double wrong = standing_ ? 0.0 : probability(kWrongPoseRate, z_.duration) * likelier_if_moved(h_);
+  add(stay * std::min(1.0, wrong), moved);
   Explanation changed = on;
   changed.new_shadow = true;
   changed.shadow = {0.0, square(next_shadow_.first)};

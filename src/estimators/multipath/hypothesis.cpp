@@ -18,9 +18,7 @@ constexpr double kImuBiasWalk = 2e-5;  // of a cheap gyro while it warms up [rad
 }  // namespace
 
 Eigen::Matrix2d Hypothesis::bias_covariance() const {
-  const Eigen::Matrix2d across = covariance.block<2, 2>(kSlowX, kShadowX);
-  return covariance.block<2, 2>(kSlowX, kSlowX) + covariance.block<2, 2>(kShadowX, kShadowX) + across +
-         across.transpose();
+  return covariance_of_sum(covariance, kSlowX, kShadowX);
 }
 
 void Hypothesis::propagate(const OdometrySum& odometry, const OdometryNoise& noise) {
@@ -160,7 +158,7 @@ void lose(Hypothesis& h, double variance, RandomStream& random) {
 }
 
 void move_by_bias(Hypothesis& h) {
-  if (!h.others.errors.empty()) count_from_fixes(h);
+  count_from_fixes(h);
   h.mean.head<2>() += h.mean.segment<2>(kShadowX);
   h.covariance.topRows<2>() += h.covariance.middleRows<2>(kShadowX).eval();
   h.covariance.leftCols<2>() += h.covariance.middleCols<2>(kShadowX).eval();

@@ -173,8 +173,7 @@ void MultipathParticleFilter::State::weigh(multipath::ReceiverWatch& receiver,
   sighting.largest_bias = parameters.largest_bias;
   sighting.shadow_entry_rate = 1.0 / parameters.time_between_shadows;
   rival.weigh(sighting, cloud.weigh(sighting), cloud);
-  common.go_on(receivers.of(multipath::followed(cloud), now).status(), sighting.unseen(),
-               parameters.uncorrected_sigma);
+  common.go_on(receivers.of(followed(cloud), now).status(), sighting.unseen(), parameters.uncorrected_sigma);
   last_weighed = now;
   restart_odometry();
   judge_alignment(way);
@@ -273,10 +272,10 @@ PoseEstimate MultipathParticleFilter::estimate() const {
   const Eigen::Vector2d between_stamps =
       rotation(result.pose.yaw).col(0) * parameters_.stamp_sigma * state_->speed;
   // The slow error may be one that stays for the whole drive, which nobody sees.
-  const std::size_t followed = multipath::followed(state_->cloud);
+  const std::size_t receiver = followed(state_->cloud);
   result.covariance.topLeftCorner<2, 2>() +=
-      (square(parameters_.position_sigma_floor) + state_->cloud.errors_of(followed).slow_variance +
-       state_->common.variance() + state_->receivers.doubt(followed, state_->now)) *
+      (square(parameters_.position_sigma_floor) + state_->cloud.errors_of(receiver).slow_variance +
+       state_->common.variance() + state_->receivers.doubt(receiver, state_->now)) *
           Eigen::Matrix2d::Identity() +
       between_stamps * between_stamps.transpose();
   result.position_covariance_overall = result.covariance.topLeftCorner<2, 2>();
@@ -291,6 +290,7 @@ PoseEstimate MultipathParticleFilter::estimate() const {
 std::vector<Hypothesis> MultipathParticleFilter::hypotheses() const {
   const Pose2 step = state_->moved();
   std::vector<Hypothesis> all;
+  all.reserve(state_->cloud.hypotheses().size());
   for (const multipath::Hypothesis& h : state_->cloud.hypotheses()) {
     all.push_back({h.pose() * step, std::exp(h.log_weight), h.in_shadow ? Mode::kShadow : Mode::kOpen});
   }

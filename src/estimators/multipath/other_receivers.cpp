@@ -15,7 +15,9 @@ namespace {
 
 constexpr double kMostAgreement = 50.0;  // of which the exponential is finite
 
-Eigen::Index first_of(std::size_t other) { return static_cast<Eigen::Index>(other) * kReceiverStates; }
+/// Where among the states of the others the slow error of one of them begins, and its bias.
+Eigen::Index slow_of(std::size_t other) { return static_cast<Eigen::Index>(other) * kReceiverStates; }
+Eigen::Index shadow_of(std::size_t other) { return slow_of(other) + kShadowX - kSlowX; }
 
 /// State and covariance of a hypothesis and all its receivers together.
 struct Joint {
@@ -50,7 +52,7 @@ struct Joint {
 
   /// Puts back what there is of the first `others` receivers.
   void give_back(Hypothesis& h, std::size_t others) const {
-    const Eigen::Index n = first_of(others);
+    const Eigen::Index n = slow_of(others);
     h.mean = mean.head<kStateSize>();
     h.covariance = covariance.topLeftCorner<kStateSize, kStateSize>();
     h.others.mean = mean.segment(kStateSize, n);
@@ -68,8 +70,8 @@ struct Likelihoods {
 
   Likelihoods(const Hypothesis& h, std::size_t other) {
     const ReceiverErrors& errors = h.others.errors[other];
-    const Eigen::Index slow = first_of(other);
-    const Eigen::Index shadow = slow + kShadowX - kSlowX;
+    const Eigen::Index slow = slow_of(other);
+    const Eigen::Index shadow = shadow_of(other);
     const Eigen::Matrix2d across =
         h.others.cross.block<2, 2>(kShadowX, slow) + h.others.cross.block<2, 2>(kShadowX, shadow);
     const Eigen::Vector2d bias = h.others.bias(other);
@@ -95,16 +97,11 @@ struct Likelihoods {
 }  // namespace
 
 Eigen::Vector2d OtherReceivers::bias(std::size_t other) const {
-  const Eigen::Index first = first_of(other);
-  return mean.segment<2>(first) + mean.segment<2>(first + kShadowX - kSlowX);
+  return mean.segment<2>(slow_of(other)) + mean.segment<2>(shadow_of(other));
 }
 
 Eigen::Matrix2d OtherReceivers::bias_covariance(std::size_t other) const {
-  const Eigen::Index slow = first_of(other);
-  const Eigen::Index shadow = slow + kShadowX - kSlowX;
-  const Eigen::Matrix2d across = covariance.block<2, 2>(slow, shadow);
-  return covariance.block<2, 2>(slow, slow) + covariance.block<2, 2>(shadow, shadow) + across +
-         across.transpose();
+  return covariance_of_sum(covariance, slow_of(other), shadow_of(other));
 }
 
 void OtherReceivers::correct(const Eigen::MatrixXd& H, const Eigen::MatrixXd& K, const Eigen::MatrixXd& S,
@@ -120,7 +117,7 @@ void OtherReceivers::correct(const Eigen::MatrixXd& H, const Eigen::MatrixXd& K,
 
 void attend(Hypothesis& h, std::size_t other) {
   Joint joint(h);
-  joint.exchange(kSlowX, kStateSize + first_of(other));
+  joint.exchange(kSlowX, kStateSize + slow_of(other));
   joint.give_back(h, h.others.errors.size());
   ReceiverErrors& errors = h.others.errors[other];
   std::swap(static_cast<FixLaw&>(h.law), errors.law);
@@ -146,7 +143,7 @@ void add_receiver(Hypothesis& h, const ReceiverErrors& errors) {
 void forget_receiver(Hypothesis& h, std::size_t other) {
   Joint joint(h);
   const std::size_t last = h.others.errors.size() - 1;
-  joint.exchange(kStateSize + first_of(other), kStateSize + first_of(last));
+  joint.exchange(kStateSize + slow_of(other), kStateSize + slow_of(last));
   joint.give_back(h, last);
   h.others.errors[other] = h.others.errors[last];
   h.others.errors.pop_back();
@@ -170,12 +167,13 @@ double likelier_if_moved(const Hypothesis& h) {
 }
 
 void count_from_fixes(Hypothesis& h) {
+  if (h.others.errors.empty()) return;
   Joint joint(h);
   for (std::size_t k = 0; k < h.others.errors.size(); ++k) {
     ReceiverErrors& errors = h.others.errors[k];
     const Likelihoods likelihoods(h, k);
-    const Eigen::Index slow = kStateSize + first_of(k);
-    const Eigen::Index shadow = slow + kShadowX - kSlowX;
+    const Eigen::Index slow = kStateSize + slow_of(k);
+    const Eigen::Index shadow = kStateSize + shadow_of(k);
     joint.add(shadow, kShadowX, -1.0);
     errors.in_shadow = likelihoods.in_shadow > likelihoods.open;
     if (errors.in_shadow) continue;

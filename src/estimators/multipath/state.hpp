@@ -28,6 +28,14 @@ constexpr int kReceiverStates = kStateSize - kSlowX;
 using State = Eigen::Matrix<double, kStateSize, 1>;
 using StateCovariance = Eigen::Matrix<double, kStateSize, kStateSize>;
 
+/// Of two components from `one` on plus two from `other` on.
+template <class Covariance>
+Eigen::Matrix2d covariance_of_sum(const Covariance& P, Eigen::Index one, Eigen::Index other) {
+  const Eigen::Matrix2d across = P.template block<2, 2>(one, other);
+  return P.template block<2, 2>(one, one) + P.template block<2, 2>(other, other) + across +
+         across.transpose();
+}
+
 /// Of the base in map.
 inline Pose2 pose_of(const State& state) { return {state(kX), state(kY), state(kYaw)}; }
 

@@ -23,8 +23,8 @@ std::optional<Eigen::Vector2d> shadowed(double time) {
   return in_shadow ? Eigen::Vector2d(6.0, -4.0) : Eigen::Vector2d(0.0, 0.0);
 }
 
-void add_second(Localizer& localizer, const SimulatedDrive& drive, std::uint64_t seed, double stamp,
-                const Bias& bias, double sigma, FixStatus status = FixStatus::kSingle) {
+void add_fix(Localizer& localizer, const SimulatedDrive& drive, std::uint64_t seed, double stamp,
+             const Bias& bias, double sigma, FixStatus status) {
   const auto step = static_cast<std::uint32_t>(std::lround(20.0 * stamp));
   const std::optional<Eigen::Vector2d> off = bias(stamp);
   if (step % 4 != 2 || !off) return;
@@ -39,6 +39,15 @@ void add_second(Localizer& localizer, const SimulatedDrive& drive, std::uint64_t
   localizer.add(Measurement(fix));
 }
 
+/// Lets the drive hear the second receiver, whose fixes are that good [m], beside the first one.
+void add_second(Localizer& localizer, SimulatedDrive& drive, std::uint64_t seed, const Bias& bias,
+                double sigma, FixStatus status = FixStatus::kSingle) {
+  drive.spoilt = [&localizer, &drive, seed, bias, sigma, status](const OdometryIncrement& u) {
+    add_fix(localizer, drive, seed, u.stamp, bias, sigma, status);
+    return u;
+  };
+}
+
 /// RMSE from 60 s on over two minutes [m], with the estimate at the end of each drive.
 double rmse(
     const Bias& second, double fix_sigma,
@@ -48,10 +57,7 @@ double rmse(
     Localizer localizer = default_localizer(seed);
     SimulatedDrive drive(seed);
     drive.fix_sigma = fix_sigma;
-    drive.spoilt = [&](const OdometryIncrement& u) {
-      add_second(localizer, drive, seed, u.stamp, second, fix_sigma);
-      return u;
-    };
+    add_second(localizer, drive, seed, second, fix_sigma);
     drive.run(localizer, 120.0, [&] {
       if (drive.time > 60.0) error.add(position_error(localizer.estimate(), drive.truth));
     });
@@ -87,10 +93,7 @@ TEST(MultipathParticleFilterReceivers, CorrectionsOfOneThatTellsLittleMakeThePos
   Localizer localizer = default_localizer(1);
   SimulatedDrive drive(1);
   const auto corrected = [&](double sigma) {
-    drive.spoilt = [&, sigma](const OdometryIncrement& u) {
-      add_second(localizer, drive, 1, u.stamp, good, sigma, FixStatus::kGroundBased);
-      return u;
-    };
+    add_second(localizer, drive, 1, good, sigma, FixStatus::kGroundBased);
     drive.run(localizer, 60.0);
     return std::sqrt(localizer.estimate().covariance(0, 0));
   };
@@ -104,10 +107,7 @@ TEST(MultipathParticleFilterReceivers, TwoRtkAntennasTellTheHeadingWithinThreeMe
     Localizer localizer = default_localizer(seed);
     SimulatedDrive drive(seed);
     drive.fix_sigma = 0.02;
-    drive.spoilt = [&](const OdometryIncrement& u) {
-      add_second(localizer, drive, seed, u.stamp, good, drive.fix_sigma);
-      return u;
-    };
+    add_second(localizer, drive, seed, good, drive.fix_sigma);
     drive.speed = 0.0;
     drive.run(localizer, 20.0);
     EXPECT_GT(localizer.estimate().covariance(2, 2), 1.0) << "standing tells whatever a reflection says";
